@@ -706,6 +706,14 @@
         <source>The search has ended with it.</source>
         <translation>Die Suche ist damit zu Ende.</translation>
     </message>
+    <message>
+        <source>The board is told to end the search, and watched until it has…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board searches on although it was told to stop. Stop it once more, or stop the motors.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AxisDial</name>
@@ -1209,6 +1217,17 @@
     <message>
         <source>That backup lacks what could not be read: %1.</source>
         <translation>Dieser Sicherung fehlt, was nicht zu lesen war: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing was written.</source>
+        <translation type="unfinished">Nichts wurde geschrieben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them the board had used already: its next start shows whether they are stored.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2792,6 +2811,41 @@
         <source>The board was read again: it holds what was wanted.</source>
         <translation>Das Board wurde noch einmal gelesen: es enthält, was es soll.</translation>
     </message>
+    <message>
+        <source>The motors are disabled in the board&apos;s volatile memory: it did not obey the ordinary stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stored now, they would stay disabled; so nothing was changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait until the board reaches standby, or restart it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board goes on with what it was told to end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It may be moving the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the motors.</source>
+        <translation type="unfinished">Stoppen Sie die Motoren.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The board was read again: it has stored %n other value(s) than before.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing of it had been sent: the board holds the old values.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FaceList</name>
@@ -3154,6 +3208,10 @@
         <source>No unwritten changes</source>
         <translation>Keine ungeschriebenen Änderungen</translation>
     </message>
+    <message>
+        <source>No unwritten changes; whether all that is in use is stored is not known (Tuning compares)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FrameLogModel</name>
@@ -3505,6 +3563,25 @@
     <message>
         <source>Disconnect all the same</source>
         <translation>Trotzdem trennen</translation>
+    </message>
+</context>
+<context>
+    <name>LeftSteering</name>
+    <message>
+        <source>The board turns the target of %1 by about %2 °/s, and nobody steers it here: a remote control does, or a steering command that was never ended. The camera goes on turning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the motors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is meant</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4270,10 +4347,6 @@
         <translation>Die Motoren bleiben abgeschaltet, bis das Board neu startet.</translation>
     </message>
     <message>
-        <source>They were stopped while the board was starting, and it has not reached standby since.</source>
-        <translation>Sie wurden angehalten, während das Board startete, und es ist seitdem nicht in Bereitschaft gegangen.</translation>
-    </message>
-    <message>
         <source>Restart the board before you use them, and store nothing before.</source>
         <translation>Das Board neu starten, bevor Sie sie benutzen, und vorher nichts speichern.</translation>
     </message>
@@ -4515,6 +4588,26 @@
     <message>
         <source>Everything else that the file holds is here; where a part is missing, plots have a gap.</source>
         <translation>Alles andere, was die Datei enthält, ist da; wo ein Teil fehlt, haben Kurven eine Lücke.</translation>
+    </message>
+    <message>
+        <source>The board did not obey the ordinary stop, so they were disabled in its volatile memory; it has not reached standby since.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board has stopped turning the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board did not answer to the start of its motors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They may start yet, at any moment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep your hands off the gimbal, or have the motors stopped (F12).</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5437,10 +5530,6 @@ dieses zeigen.</translation>
         <translation>Zu schreibende Änderungen</translation>
     </message>
     <message>
-        <source>⚠ Some of these values are in the risk class: hold the camera, or take it off, while motors start.</source>
-        <translation>⚠ Werte der Risikoklasse sind dabei: halten Sie die Kamera oder nehmen Sie sie ab, während Motoren anlaufen.</translation>
-    </message>
-    <message>
         <source>Back</source>
         <translation>Zurück</translation>
     </message>
@@ -5519,6 +5608,10 @@ dieses zeigen.</translation>
     <message>
         <source>These values go to the board. They are read back and compared, and a copy of all settings of the board is kept before the first write.</source>
         <translation>Diese Werte gehen auf das Board. Sie werden zurückgelesen und verglichen, und vor dem ersten Schreiben werden alle Einstellungen des Boards gesichert.</translation>
+    </message>
+    <message>
+        <source>⚠ Some of these values are in the risk class. They act at once where motors run, otherwise when they start: hold the camera, or take it off.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13613,13 +13706,6 @@ vorher</translation>
         <source>Values in use on the board are not stored: a restart loses them.</source>
         <translation>Werte, die das Board verwendet, sind nicht gespeichert: ein Neustart verliert sie.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n value(s) in use on the board, not stored: a restart loses them.</source>
-        <translation>
-            <numerusform>%n Wert auf dem Board in Gebrauch, nicht gespeichert: ein Neustart verliert ihn.</numerusform>
-            <numerusform>%n Werte auf dem Board in Gebrauch, nicht gespeichert: ein Neustart verliert sie.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Revert all</source>
         <translation>Alles zurücknehmen</translation>
@@ -13667,6 +13753,20 @@ vorher</translation>
         <translation>
             <numerusform>%n nicht bekannt</numerusform>
             <numerusform>%n nicht bekannt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) set live, not stored: a restart loses them.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) set live, not stored; whether others are is not known.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -14066,6 +14166,26 @@ Auf dem Board: %1</translation>
     <message>
         <source>The board did not get what was set while it was silent: %1. It uses %2.</source>
         <translation>Was gesetzt wurde, während das Board schwieg, ist dort nicht angekommen: %1. Es benutzt %2.</translation>
+    </message>
+    <message>
+        <source>The motors run: the board has carried out the start that it did not answer to.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board did not answer to “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It may carry it out yet, at any moment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep your hands off the gimbal, or have the motors stopped (F12).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board confirms that it has stored; only its next start shows it. The settings as they were are kept in %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

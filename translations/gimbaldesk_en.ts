@@ -92,6 +92,13 @@
             <numerusform>Revert %n values</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n of them the board had used already: its next start shows whether they are stored.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ChannelModel</name>
@@ -166,6 +173,13 @@
         <translation>
             <numerusform>%n value in use is not as it was before.</numerusform>
             <numerusform>%n values in use are not as they were before.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The board was read again: it has stored %n other value(s) than before.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -378,13 +392,6 @@
 <context>
     <name>UnstoredBar</name>
     <message numerus="yes">
-        <source>%n value(s) in use on the board, not stored: a restart loses them.</source>
-        <translation>
-            <numerusform>%n value in use on the board, not stored: a restart loses it.</numerusform>
-            <numerusform>%n values in use on the board, not stored: a restart loses them.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n not stored</source>
         <translation>
             <numerusform>%n not stored</numerusform>
@@ -403,6 +410,20 @@
         <translation>
             <numerusform>%n not known</numerusform>
             <numerusform>%n not known</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) set live, not stored: a restart loses them.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) set live, not stored; whether others are is not known.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
