@@ -708,11 +708,11 @@
     </message>
     <message>
         <source>The board is told to end the search, and watched until it has…</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board soll die Suche beenden und wird beobachtet, bis es das getan hat …</translation>
     </message>
     <message>
         <source>The board searches on although it was told to stop. Stop it once more, or stop the motors.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board sucht weiter, obwohl es aufhören sollte. Beenden Sie die Suche noch einmal, oder stoppen Sie die Motoren.</translation>
     </message>
 </context>
 <context>
@@ -1220,13 +1220,13 @@
     </message>
     <message>
         <source>Nothing was written.</source>
-        <translation type="unfinished">Nichts wurde geschrieben.</translation>
+        <translation>Es wurde nichts geschrieben.</translation>
     </message>
     <message numerus="yes">
         <source>%n of them the board had used already: its next start shows whether they are stored.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n davon hatte das Board schon in Gebrauch: Ob er gespeichert ist, zeigt sein nächster Start.</numerusform>
+            <numerusform>%n davon hatte das Board schon in Gebrauch: Ob sie gespeichert sind, zeigt sein nächster Start.</numerusform>
         </translation>
     </message>
 </context>
@@ -2813,38 +2813,38 @@
     </message>
     <message>
         <source>The motors are disabled in the board&apos;s volatile memory: it did not obey the ordinary stop.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Motoren sind im flüchtigen Speicher des Boards abgeschaltet: Dem gewöhnlichen Stopp hat es nicht gehorcht.</translation>
     </message>
     <message>
         <source>Stored now, they would stay disabled; so nothing was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt gespeichert, blieben sie abgeschaltet; deshalb wurde nichts geändert.</translation>
     </message>
     <message>
         <source>Wait until the board reaches standby, or restart it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Warten Sie, bis das Board in Bereitschaft ist, oder starten Sie es neu.</translation>
     </message>
     <message>
         <source>The board goes on with what it was told to end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board macht mit dem weiter, was es beenden sollte.</translation>
     </message>
     <message>
         <source>It may be moving the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es bewegt möglicherweise die Kamera.</translation>
     </message>
     <message>
         <source>Stop the motors.</source>
-        <translation type="unfinished">Stoppen Sie die Motoren.</translation>
+        <translation>Stoppen Sie die Motoren.</translation>
     </message>
     <message numerus="yes">
         <source>The board was read again: it has stored %n other value(s) than before.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Das Board wurde noch einmal gelesen: Es hat %n anderen Wert gespeichert als vorher.</numerusform>
+            <numerusform>Das Board wurde noch einmal gelesen: Es hat %n andere Werte gespeichert als vorher.</numerusform>
         </translation>
     </message>
     <message>
         <source>Nothing of it had been sent: the board holds the old values.</source>
-        <translation type="unfinished"></translation>
+        <translation>Davon war noch nichts gesendet: Das Board hat die alten Werte.</translation>
     </message>
 </context>
 <context>
@@ -3210,7 +3210,7 @@
     </message>
     <message>
         <source>No unwritten changes; whether all that is in use is stored is not known (Tuning compares)</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine ungeschriebenen Änderungen; ob alles gespeichert ist, was in Gebrauch ist, ist nicht bekannt („Abstimmen“ vergleicht)</translation>
     </message>
 </context>
 <context>
@@ -3569,19 +3569,19 @@
     <name>LeftSteering</name>
     <message>
         <source>The board turns the target of %1 by about %2 °/s, and nobody steers it here: a remote control does, or a steering command that was never ended. The camera goes on turning.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board dreht das Ziel von %1 mit etwa %2 °/s, und hier steuert niemand: Das tut eine Fernsteuerung, oder ein Steuerbefehl, den niemand beendet hat. Die Kamera dreht sich weiter.</translation>
     </message>
     <message>
         <source>End the command</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehl beenden</translation>
     </message>
     <message>
         <source>Stop the motors</source>
-        <translation type="unfinished"></translation>
+        <translation>Motoren stoppen</translation>
     </message>
     <message>
         <source>It is meant</source>
-        <translation type="unfinished"></translation>
+        <translation>So gewollt</translation>
     </message>
 </context>
 <context>
@@ -4591,23 +4591,23 @@
     </message>
     <message>
         <source>The board did not obey the ordinary stop, so they were disabled in its volatile memory; it has not reached standby since.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem gewöhnlichen Stopp hat das Board nicht gehorcht, deshalb wurden sie in seinem flüchtigen Speicher abgeschaltet; in Bereitschaft ist es seither nicht.</translation>
     </message>
     <message>
         <source>The board has stopped turning the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board dreht die Kamera nicht mehr.</translation>
     </message>
     <message>
         <source>The board did not answer to the start of its motors.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board hat auf den Start seiner Motoren nicht geantwortet.</translation>
     </message>
     <message>
         <source>They may start yet, at any moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie können noch anlaufen, jederzeit.</translation>
     </message>
     <message>
         <source>Keep your hands off the gimbal, or have the motors stopped (F12).</source>
-        <translation type="unfinished"></translation>
+        <translation>Lassen Sie die Hände vom Gimbal, oder stoppen Sie die Motoren (F12).</translation>
     </message>
 </context>
 <context>
@@ -5611,7 +5611,7 @@ dieses zeigen.</translation>
     </message>
     <message>
         <source>⚠ Some of these values are in the risk class. They act at once where motors run, otherwise when they start: hold the camera, or take it off.</source>
-        <translation type="unfinished"></translation>
+        <translation>⚠ Manche dieser Werte gehören zur Risikoklasse. Laufen die Motoren, wirken sie sofort, sonst beim Anlaufen: Halten Sie die Kamera, oder nehmen Sie sie ab.</translation>
     </message>
 </context>
 <context>
@@ -13757,16 +13757,16 @@ vorher</translation>
     </message>
     <message numerus="yes">
         <source>%n value(s) set live, not stored: a restart loses them.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Wert live gesetzt, nicht gespeichert: Ein Neustart verliert ihn.</numerusform>
+            <numerusform>%n Werte live gesetzt, nicht gespeichert: Ein Neustart verliert sie.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n value(s) set live, not stored; whether others are is not known.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Wert live gesetzt, nicht gespeichert; ob es andere gibt, ist nicht bekannt.</numerusform>
+            <numerusform>%n Werte live gesetzt, nicht gespeichert; ob es andere gibt, ist nicht bekannt.</numerusform>
         </translation>
     </message>
 </context>
@@ -14169,23 +14169,23 @@ Auf dem Board: %1</translation>
     </message>
     <message>
         <source>The motors run: the board has carried out the start that it did not answer to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Motoren laufen: Das Board hat den Start ausgeführt, auf den es nicht geantwortet hatte.</translation>
     </message>
     <message>
         <source>The board did not answer to “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board hat auf „%1“ nicht geantwortet.</translation>
     </message>
     <message>
         <source>It may carry it out yet, at any moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es kann das noch ausführen, jederzeit.</translation>
     </message>
     <message>
         <source>Keep your hands off the gimbal, or have the motors stopped (F12).</source>
-        <translation type="unfinished"></translation>
+        <translation>Lassen Sie die Hände vom Gimbal, oder stoppen Sie die Motoren (F12).</translation>
     </message>
     <message>
         <source>The board confirms that it has stored; only its next start shows it. The settings as they were are kept in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board bestätigt, dass es gespeichert hat; zeigen wird es erst sein nächster Start. Die Einstellungen von vorher liegen in %1</translation>
     </message>
 </context>
 </TS>

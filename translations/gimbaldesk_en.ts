@@ -94,9 +94,9 @@
     </message>
     <message numerus="yes">
         <source>%n of them the board had used already: its next start shows whether they are stored.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n of them the board had used already: its next start shows whether it is stored.</numerusform>
+            <numerusform>%n of them the board had used already: its next start shows whether they are stored.</numerusform>
         </translation>
     </message>
 </context>
@@ -177,9 +177,9 @@
     </message>
     <message numerus="yes">
         <source>The board was read again: it has stored %n other value(s) than before.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>The board was read again: it has stored %n other value than before.</numerusform>
+            <numerusform>The board was read again: it has stored %n other values than before.</numerusform>
         </translation>
     </message>
 </context>
@@ -414,16 +414,16 @@
     </message>
     <message numerus="yes">
         <source>%n value(s) set live, not stored: a restart loses them.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n value set live, not stored: a restart loses it.</numerusform>
+            <numerusform>%n values set live, not stored: a restart loses them.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n value(s) set live, not stored; whether others are is not known.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n value set live, not stored; whether others are is not known.</numerusform>
+            <numerusform>%n values set live, not stored; whether others are is not known.</numerusform>
         </translation>
     </message>
 </context>
