@@ -546,7 +546,7 @@ Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Co
     CommandOutcome outcome;
     if (report->lines.empty() && report->data.empty() && !report->namesWanted && report->isComplete())
         outcome.text = !base.missing().empty() ? u"nothing to write in what the board delivered\n"_s
-            : device.live() && !device.wholeMemory()
+            : answersWithUse(device)
             ? u"nothing to write: the board uses these values already; it does not tell whether those that "
               "can be set live are stored (\"set\" writes them all the same)\n"_s
             : u"nothing to write: the board holds these values already\n"_s;

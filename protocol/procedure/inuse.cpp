@@ -26,10 +26,15 @@ std::optional<InUse> askInUse(Channel &channel, LiveAccess &live, const QList<in
 
 }  // namespace
 
+bool answersWithUse(const Device &device)
+{
+    return device.live() && !device.wholeMemory();
+}
+
 std::vector<OtherValue> readReplaceable(Channel &channel, Device &device, const Configuration &stored)
 {
     LiveAccess *live = device.live();
-    if (!live || device.wholeMemory())
+    if (!answersWithUse(device))
         return {};
     QList<int> variables;
     for (const AdjustableSpec &variable : live->adjustables()) {

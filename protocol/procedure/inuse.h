@@ -7,6 +7,9 @@
 class Channel;
 class Device;
 
+/// Whether reading back proves that a value is in use, and not that it is stored: it can be set live, and the
+/// board does not tell the two apart.
+[[nodiscard]] bool answersWithUse(const Device &device);
 /// What is in use in the active profile otherwise than stored, on a board that loads what is written: a write
 /// replaces it. Nothing on a board that stores everything in use at once (WholeMemory), or that answers
 /// questions for what is stored with what is in use: there nobody can tell.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/procedure/writeconfiguration.h"
 
+#include "protocol/procedure/inuse.h"
 #include "protocol/procedure/motorsnow.h"
 #include "protocol/procedure/writer.h"
 
@@ -84,7 +85,7 @@ Result<WriteReport> Writer::run()
         m_report.error = Error{ErrorCode::NoEffect, u"the active profile is another than before"_s, 0};
     const int active = m_base.activeProfile();
     m_report.storesUse
-        = answersWithUse()
+        = answersWithUse(m_device)
         && std::any_of(m_report.lines.begin(), m_report.lines.end(), [active](const WriteLine &line) {
                return line.profile == active
                    && (line.state == WriteState::Verified || line.state == WriteState::RolledBack
@@ -108,16 +109,10 @@ void Writer::leaveUntold()
         markBlock(key, WriteState::Unknown);
 }
 
-// Its blocks hold what is in use, set live or not; nobody can tell what it has stored.
-bool Writer::answersWithUse() const
-{
-    return m_device.live() && !m_device.wholeMemory();
-}
-
 // What is wanted in use, and stored already, is a change for the board all the same.
 void Writer::addNamed()
 {
-    const bool mayBeUnstored = m_options.evenIfInUse && answersWithUse();
+    const bool mayBeUnstored = m_options.evenIfInUse && answersWithUse(m_device);
     if (m_report.othersUnknown || mayBeUnstored) {
         for (const ParameterSpec &spec : m_base.parameters().all()) {
             const auto raw = m_base.raw(spec, m_base.activeProfile());

@@ -52,7 +52,6 @@ private:
     Result<void> readWhole();
     Result<QByteArray> truthOf(BlockKey key);
     void addNamed();
-    [[nodiscard]] bool answersWithUse() const;
     void leaveUntold();
     Result<void> writeRestarting();
     Result<void> put(BlockKey key, const QByteArray &bytes);
