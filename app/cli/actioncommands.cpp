@@ -266,9 +266,8 @@ Result<CommandOutcome> ActionCommand::run(Channel &channel, Device &device)
     if (done->isStoreUntold || done->reply.value(u"stored"_s) == u"confirmed"_s) {
         json.insert(u"storeUntold"_s, true);
         outcome.note += (outcome.note.isEmpty() ? u""_s : u"\n"_s)
-            + u"the board confirms that it has stored; it answers with what is in use, so only its next "
-              u"start "
-              "shows it"_s;
+            + u"the board confirms that it has stored; as it answers with what is in use, only its next "
+              "start shows it"_s;
     }
     if (done->stored) {
         if (const QString told = tellOthers(*done->stored, outcome.text, json); !told.isEmpty())

@@ -143,8 +143,7 @@ void tellReport(CommandOutcome &outcome)
         notes.append((
             report.isComplete() && report.countStoreUntold() == 0
                 ? u"what else was set in use without being stored is stored now as well, if there was any: "
-                  u"this "
-                  "board does not tell"_s
+                  "this board does not tell"_s
                 : u"what else was set in use without being stored may be stored now as well: this board does "
                   "not tell"_s));
     }

@@ -359,7 +359,11 @@ void AutoTunePage::stop()
         return;
     }
     workspace().perform(kStop, {}, true).then(this, [this](const Result<ActionOutcome> &stopped) {
-        onFinished(stopped ? failure(ErrorCode::Cancelled) : stopped);
+        if (stopped)
+            onFinished(failure(ErrorCode::Cancelled));
+        else  // whatever prevented it, nobody has seen the search end
+            onFinished(isLinkLoss(stopped.error()) ? stopped
+                                                   : failure(ErrorCode::GoesOn, stopped.error().detail));
     });
 }
 
