@@ -714,6 +714,18 @@
         <source>The board searches on although it was told to stop. Stop it once more, or stop the motors.</source>
         <translation>Das Board sucht weiter, obwohl es aufhören sollte. Beenden Sie die Suche noch einmal, oder stoppen Sie die Motoren.</translation>
     </message>
+    <message>
+        <source>The old gains are in use again. If the board has stored those that it tried, they come back at its next start.</source>
+        <translation>Die alten Verstärkungen sind wieder in Gebrauch. Hat das Board die ausprobierten gespeichert, kommen sie mit seinem nächsten Start zurück.</translation>
+    </message>
+    <message>
+        <source>Store the old gains</source>
+        <translation>Alte Verstärkungen speichern</translation>
+    </message>
+    <message>
+        <source>Leave it so</source>
+        <translation>So lassen</translation>
+    </message>
 </context>
 <context>
     <name>AxisDial</name>

@@ -309,6 +309,10 @@ void BoardCommand::conclude(Result<CommandOutcome> outcome)
 {
     m_interrupted.reset();
     m_absence.stop();
+    if (!outcome && outcome.error().after && !outcome.error().after->now
+        && !outcome.error().after->endedBy.isEmpty())
+        emit told(u"what was begun may go on on the board and move the camera: switch the motors off, or "
+                  "disconnect the power"_s);
     if (outcome)
         tellReport(*outcome);
     if (outcome && m_goesOn)

@@ -135,6 +135,8 @@ void tellReport(CommandOutcome &outcome)
                                                         report.snapshotLacks.join(u", "_s))));
     if (!others.isEmpty())
         notes.append(others);
+    if (const int untold = report.countStoreUntold(); untold > 0)
+        json.insert(u"storeUntold"_s, untold);
     if (report.countStoreUntold() > 0)
         notes.append(u"confirmed: the board used that already, so only its next start shows whether it has "
                      "stored it"_s);

@@ -487,7 +487,7 @@ QString Workspace::configurationFilter() const
 
 QString Workspace::openFilter() const
 {
-    QStringList endings{u"*.json"_s, u"*.gimbalrec"_s};
+    QStringList endings{u"*.json"_s, u"*.gimbalrec"_s, u"*.rec"_s};
     for (const Family &each : m_client.families()) {
         if (each.settingsFile)
             endings.append(u"*."_s + each.settingsFile->suffix);

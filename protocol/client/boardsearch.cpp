@@ -3,6 +3,7 @@
 #include "protocol/client/boardsearch.h"
 
 #include <algorithm>
+#include <thread>
 
 namespace {
 
@@ -108,8 +109,10 @@ Result<BoardSearch::Found> BoardSearch::run(SessionChannel &channel)
         if (found || !m_order.repeat || found.error().code == ErrorCode::Cancelled)
             return found;
         // A link that opened and broke again does not end the search.
-        if (const auto slept = channel.sleep(kRetryPause);
-            !slept && slept.error().code == ErrorCode::Cancelled)
+        const auto slept = channel.sleep(kRetryPause);
+        if (!slept && slept.error().code == ErrorCode::Cancelled)
             return tl::unexpected(slept.error());
+        if (!slept)  // on a link that is gone no time passes; whoever closes each one is not asked in a storm
+            std::this_thread::sleep_for(kRetryPause);
     }
 }

@@ -313,7 +313,7 @@ Result<void> SafeAction::askBefore()
         m_wanted = *std::move(inUse);
     }
     if (m_action.memory == MemoryEffect::Stores && !m_memory && m_backup)
-        m_tellsApart = !readReplaceable(m_channel, m_device, m_backup->before).empty();
+        m_tellsApart = !checkActiveStored(m_channel, m_device, m_backup->before);
     if (m_action.memory == MemoryEffect::Reloads && m_device.wholeMemory()) {
         if (auto inUse = m_device.readConfiguration(m_channel))
             m_usedBefore = *std::move(inUse);

@@ -65,6 +65,11 @@ public:
     std::optional<QByteArray> advance(TimePoint now, const LatestValues *latest = nullptr);
     [[nodiscard]] std::optional<TimePoint> nextDeadline() const;
     [[nodiscard]] bool isActive() const { return m_state != State::Inactive; }
+    /// Steers, or has not been seen to stand still yet; what is left after that is to give control back.
+    [[nodiscard]] bool isSteering() const
+    {
+        return m_state == State::Streaming || m_state == State::Stopping;
+    }
     [[nodiscard]] bool isStreaming() const { return m_state == State::Streaming; }
     /// What is to be asked now, to see whether the board stands still; null if nothing.
     [[nodiscard]] const Request *question() const

@@ -114,7 +114,7 @@ void Session::close(const Error &why)
     m_timer.stop();
     m_poll.reset();
     m_pollRunning = false;
-    const bool wasSteering = m_control.isActive();
+    const bool wasSteering = m_control.isSteering();
     if (wasSteering && m_control.canProve())
         m_leftSteering = m_control.frames();
     m_control.drop();

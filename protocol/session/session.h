@@ -57,7 +57,7 @@ public:
     /// Another board answers.
     void forgetLeftSteering() { m_leftSteering.reset(); }
     /// Steers, or has not been seen to stand still yet.
-    [[nodiscard]] bool isSteering() const { return m_control.isActive(); }
+    [[nodiscard]] bool isSteering() const { return m_control.isSteering(); }
 
     /// Ahead of everything: ends the control stream and carries out the plan until the stop is proven.
     /// Completes with nothing, NotProven or LinkClosed. A stop that is not proven in time is repeated until

@@ -386,7 +386,7 @@ void TestMonitor::recordingsFromTheScreen()
     QTRY_COMPARE(problems.count(), 1);
     const auto problem = problems.first().first().value<ErrorText>();
     QVERIFY2(problem.what.contains(u"damaged"_s) && problem.meaning.startsWith(u"1 part"_s)
-                 && problem.detail == u"a checksum is wrong"_s,
+                 && problem.detail == u"A checksum is wrong."_s,
              qPrintable(problem.oneLine()));
     QTRY_VERIFY(m_rig->client().telemetry() && m_rig->client().telemetry()->rows() > 300);
     m_rig->client().disconnectFromBoard();

@@ -340,6 +340,7 @@ void TestSession::steeringThatALinkCutOffIsEndedOnTheNext()
     m_session->endLeftSteering();
     QTRY_COMPARE(ended.count(), 1);
     QVERIFY(ended.takeFirst().first().toBool());
+    QVERIFY(!m_session->isSteering());  // nobody waits for control to be given back
     QTRY_VERIFY(written.endsWith('r'));
     QVERIFY2(written.contains('h') && !written.contains('m'), written.constData());
     m_session->refreshControl(movement());

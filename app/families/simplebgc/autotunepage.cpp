@@ -211,9 +211,11 @@ void AutoTunePage::tellLeft(const Configuration &board, Left left)
         return;
     }
     told.sort();
+    m_mayBeStored = true;
     m_live.read();
     setState(State::Finished);
     if (left == Left::Found) {
+        m_mayBeStored = false;
         m_text->setText(tr("The link ended before the new gains were accepted or reverted. The board uses "
                            "them still: %1. Accept them, or revert to the old ones.")
                             .arg(told.join(u", "_s)));
@@ -227,7 +229,8 @@ void AutoTunePage::tellLeft(const Configuration &board, Left left)
         ErrorText{tr("After the search that was broken off the board uses other gains."),
                   tr("It may have stored them; it does not tell."),
                   tr("Revert to the old gains on the page Auto-tune and store them, or accept the new ones."),
-                  told.join(u", "_s)});
+                  told.join(u", "_s)},
+        Concern::Interrupted);
 }
 
 void AutoTunePage::setState(State state)
@@ -370,7 +373,9 @@ void AutoTunePage::stop()
 void AutoTunePage::onFinished(const Result<ActionOutcome> &outcome)
 {
     m_live.read();
-    m_goesOn = !outcome && outcome.error().code == ErrorCode::GoesOn;
+    const bool wentOn = std::exchange(m_goesOn, !outcome && outcome.error().code == ErrorCode::GoesOn);
+    if (wentOn && !m_goesOn)
+        workspace().notifications().settle(Concern::Interrupted);
     if (m_goesOn) {
         workspace().notifications().report(outcome.error(), Concern::Interrupted);
         m_stop->setEnabled(true);
@@ -489,17 +494,24 @@ void AutoTunePage::onValues()
     }
     const bool was = std::exchange(m_isUnstored, m_live.changeCount() > 0);
     m_isGone = !m_isUnstored && (was || m_isGone);
-    if (m_isGone && !m_judging.isActive())
+    // Read as stored, because nobody knows better, they are there to be reverted all the same.
+    if (m_isGone && !m_judging.isActive() && (!m_mayBeStored || isAsBefore()))
         giveUp(false);
+}
+
+bool AutoTunePage::isAsBefore() const
+{
+    return std::all_of(m_before.keyBegin(), m_before.keyEnd(), [this](int parameter) {
+        return sameValue(m_live.value(parameter), m_before.value(parameter));
+    });
 }
 
 // Others have stored it, or reverted it: the supervisor does, where it oscillates.
 void AutoTunePage::giveUp(bool tells)
 {
-    const bool isReverted = std::all_of(m_before.keyBegin(), m_before.keyEnd(), [this](int parameter) {
-        return sameValue(m_live.value(parameter), m_before.value(parameter));
-    });
+    const bool isReverted = isAsBefore();
     m_before.clear();
+    m_mayBeStored = false;
     setState(State::Ready);
     if (isReverted && tells)
         tellReverted({});
@@ -528,7 +540,23 @@ void AutoTunePage::leaveProfile()
 
 void AutoTunePage::revertAndTell()
 {
-    revert([this] { workspace().notifications().notify(tr("The previous gains are in use again.")); });
+    const bool mayBeStored = std::exchange(m_mayBeStored, false);
+    revert([this, mayBeStored] {
+        workspace().notifications().settle(Concern::Interrupted);
+        workspace().notifications().notify(tr("The previous gains are in use again."));
+        if (mayBeStored)
+            offerToStore();
+    });
+}
+
+// What is stored is not known then, so that nothing would mark the gains as not stored.
+void AutoTunePage::offerToStore()
+{
+    workspace().notifications().ask(
+        {tr("The old gains are in use again. If the board has stored those that it tried, they come back at "
+            "its "
+            "next start."),
+         {{tr("Store the old gains"), [this] { workspace().saveLive(*this); }}, {tr("Leave it so"), [] {}}}});
 }
 
 void AutoTunePage::revert(const std::function<void()> &tell)

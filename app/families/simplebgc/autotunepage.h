@@ -42,6 +42,8 @@ private:
     void onState();
     void start();
     void stop();
+    void offerToStore();
+    [[nodiscard]] bool isAsBefore() const;
     void onProgress(const Progress &progress);
     void onFinished(const Result<ActionOutcome> &outcome);
     /// How far the axes are from their targets, RMS of the last seconds in degrees; NaN: not known.
@@ -98,5 +100,6 @@ private:
     Left m_left = Left::Nothing;
     QString m_board;  // that has searched last
     State m_state = State::Ready;
+    bool m_mayBeStored = false;  // what a search that was broken off had found
     bool m_goesOn = false;  // the search, although it was told to stop
 };
