@@ -33,6 +33,7 @@ private slots:
     void inUseIsToldApart();
     void searchIsJudgedByWhatIsInUse();
     void lostStoreIsTold();
+    void confirmedStoreOfLiveValuesIsNoProof();
     void readingBackWhatWasInUseProvesNoStore();
     void profileSwitchedBeforeAWriteStays();
     void profileSwitchedInAWriteIsTold();
@@ -189,6 +190,24 @@ void TestInSpite::lostStoreIsTold()
 }
 
 // A button on the board has switched it since it was read.
+// What was set live here is known as such, which does not make the board tell what it has stored.
+void TestInSpite::confirmedStoreOfLiveValuesIsNoProof()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    QVERIFY(bench.device.writeAdjustables(bench.channel, {{0, 44}}));
+    Altering swallowing(bench.channel,
+                        [&](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+                            return request.name == u"SAVE_PARAMS_3"_s ? Frame{} : pass(request);
+                        });
+    const BoardHistory history(m_dir.path());
+    const LiveValues live{{u"pid.roll.p"_s, 35, 44}};
+    const auto stored = performSafely(swallowing, bench.device, u"variables.save"_s, {}, history, live);
+    QVERIFY(stored);
+    QVERIFY(stored->isStoreUntold);
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), 35);
+}
+
 // The board answers with what it uses, and used it before.
 void TestInSpite::readingBackWhatWasInUseProvesNoStore()
 {
