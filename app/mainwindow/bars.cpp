@@ -57,9 +57,10 @@ void OfferBar::ask(const Offer &offer)
     const auto known = std::find_if(m_offers.begin(), m_offers.end(), [&offer](const Offer &each) {
         return offer.topic != Topic::None && each.topic == offer.topic;
     });
-    const bool isFirst = m_offers.isEmpty() || known == m_offers.begin();
-    if (known == m_offers.end())
-        m_offers.append(offer);
+    const bool isNew = known == m_offers.end();
+    const bool isFirst = m_offers.isEmpty() || known == m_offers.begin() || (isNew && offer.isUrgent);
+    if (isNew)
+        m_offers.insert(offer.isUrgent ? 0 : m_offers.size(), offer);
     else
         *known = offer;
     if (isFirst)

@@ -20,7 +20,7 @@ namespace {
 constexpr auto kTargetEvery = 250ms;
 constexpr int kLooks = 40;  // 10 s; what begins later somebody does now
 constexpr int kSteadyLooks = 8;
-constexpr double kTurns = 0.75;  // degrees per look: 3 deg/s
+constexpr double kTurns = 3.0;  // deg/s
 constexpr double kSameRate = 0.35;  // by a command the rate is the same; what follows a hand changes it
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -39,7 +39,8 @@ void LeftSteering::onState()
 {
     m_notifications.withdrawOffer(Topic::Steering);
     m_before.fill(kUnknown);
-    m_by.fill(0);
+    m_at.fill({});
+    m_rate.fill(0);
     m_steady.fill(0);
     m_looks = kLooks;
     if (m_client.isConnected() && !m_client.address().isReplay() && m_client.device()->steering())
@@ -57,29 +58,33 @@ void LeftSteering::look()
     }
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         const int channel = m_client.roles().target[axis];
-        const double by = channel < 0 ? 0.0 : turned(axis, double(store->latest(channel)));
-        const double last = std::exchange(m_by[axis], by);
-        const bool isSame = std::abs(by) >= kTurns && std::abs(by - last) < kSameRate * std::abs(by);
+        const TimePoint at = channel < 0 ? TimePoint{} : store->latestAt(channel);
+        if (at == m_at[axis])
+            continue;  // nothing has come since
+        const double rate = rateOf(axis, double(store->latest(channel)), at);
+        const double last = std::exchange(m_rate[axis], rate);
+        const bool isSame = std::abs(rate) >= kTurns && std::abs(rate - last) < kSameRate * std::abs(rate);
         m_steady[axis] = isSame ? m_steady[axis] + 1 : 0;
         if (m_steady[axis] < kSteadyLooks)
             continue;
         m_timer.stop();
-        ask(kAxes[axis], std::abs(by) / std::chrono::duration<double>(kTargetEvery).count());
+        ask(kAxes[axis], std::abs(rate));
         return;
     }
 }
 
-double LeftSteering::turned(std::size_t axis, double target)
+double LeftSteering::rateOf(std::size_t axis, double target, TimePoint at)
 {
-    const double before = std::exchange(m_before[axis], target);
-    const double by = target - before;
-    return std::isnan(by) ? 0.0 : by;
+    const double by = target - std::exchange(m_before[axis], target);
+    const double took = seconds(at - std::exchange(m_at[axis], at));
+    return std::isnan(by) ? 0.0 : by / took;
 }
 
 void LeftSteering::ask(Axis axis, double rate)
 {
     Offer question;
     question.topic = Topic::Steering;
+    question.isUrgent = true;
     question.text
         = tr("The board turns the target of %1 by about %2 °/s, and nobody steers it here: a remote control "
              "does, or a steering command that was never ended. The camera goes on turning.")

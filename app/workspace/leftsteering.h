@@ -22,8 +22,8 @@ public:
 private:
     void onState();
     void look();
-    /// How far each axis' target has turned since the last look, in degrees.
-    [[nodiscard]] double turned(std::size_t axis, double target);
+    /// How fast the target has turned since the last look, in deg/s.
+    [[nodiscard]] double rateOf(std::size_t axis, double target, TimePoint at);
     void ask(Axis axis, double rate);
     void end();
 
@@ -32,6 +32,7 @@ private:
     QTimer m_timer;
     int m_looks = 0;  // left on this link
     std::array<double, kAxisCount> m_before{};
-    std::array<double, kAxisCount> m_by{};  // turned at the last look
-    std::array<int, kAxisCount> m_steady{};  // looks in a row with the same turn
+    std::array<TimePoint, kAxisCount> m_at{};  // of that sample
+    std::array<double, kAxisCount> m_rate{};  // at the last look
+    std::array<int, kAxisCount> m_steady{};  // looks in a row at the same rate
 };

@@ -21,4 +21,5 @@ struct Offer
     QString text;
     QList<Choice> choices;  ///< the first one is what is usually wanted
     Topic topic = Topic::None;
+    bool isUrgent = false;  ///< comes before those that wait already: something moves
 };

@@ -525,9 +525,12 @@ void TestAgreement::steeringThatNobodyEndedIsToldAndEnded()
     });
     m_rig = std::make_unique<WindowRig>();
     QVERIFY(m_rig->open(m_host->address()));
+    // What waits already can wait.
+    m_rig->workspace().notifications().ask({u"Which?"_s, {{u"This"_s, [] {}}}});
     const OfferBar *offers = m_rig->window().offerBar();
-    QTRY_VERIFY_WITH_TIMEOUT(offers->isVisible() && !offers->buttons().isEmpty(), kPatience);
-    QTRY_VERIFY(offers->buttons().first()->text().contains(u"End the command"_s));
+    QTRY_VERIFY_WITH_TIMEOUT(!offers->buttons().isEmpty()
+                                 && offers->buttons().first()->text().contains(u"End the command"_s),
+                             kPatience);
     const int target = m_rig->workspace().roles().target[2];
     QVERIFY(target >= 0);
     offers->buttons().first()->click();
