@@ -135,15 +135,16 @@ void tellReport(CommandOutcome &outcome)
                                                         report.snapshotLacks.join(u", "_s))));
     if (!others.isEmpty())
         notes.append(others);
-    if (const int untold = report.countStoreUntold(); untold > 0)
+    const int untold = report.countStoreUntold();
+    if (untold > 0) {
         json.insert(u"storeUntold"_s, untold);
-    if (report.countStoreUntold() > 0)
         notes.append(u"confirmed: the board used that already, so only its next start shows whether it has "
                      "stored it"_s);
+    }
     if (report.storesUse) {
         json.insert(u"storesUse"_s, true);
         notes.append((
-            report.isComplete() && report.countStoreUntold() == 0
+            report.isComplete() && untold == 0
                 ? u"what else was set in use without being stored is stored now as well, if there was any: "
                   "this board does not tell"_s
                 : u"what else was set in use without being stored may be stored now as well: this board does "

@@ -3,7 +3,6 @@
 #include "protocol/client/boardsearch.h"
 
 #include <algorithm>
-#include <thread>
 
 namespace {
 
@@ -108,11 +107,8 @@ Result<BoardSearch::Found> BoardSearch::run(SessionChannel &channel)
         auto found = once(channel, m_order.repeat && round % 3 != 2);
         if (found || !m_order.repeat || found.error().code == ErrorCode::Cancelled)
             return found;
-        // A link that opened and broke again does not end the search.
-        const auto slept = channel.sleep(kRetryPause);
-        if (!slept && slept.error().code == ErrorCode::Cancelled)
-            return tl::unexpected(slept.error());
-        if (!slept)  // on a link that is gone no time passes; whoever closes each one is not asked in a storm
-            std::this_thread::sleep_for(kRetryPause);
+        // A link that opened and broke again neither ends the search nor hastens it.
+        if (const auto paused = channel.pause(kRetryPause); !paused)
+            return tl::unexpected(paused.error());
     }
 }

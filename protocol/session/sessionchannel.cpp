@@ -128,6 +128,13 @@ Result<void> SessionChannel::sleep(milliseconds duration)
     return {};
 }
 
+Result<void> SessionChannel::pause(milliseconds duration)
+{
+    std::unique_lock lock(m_control->m_mutex);
+    m_control->m_wake.wait_for(lock, duration, [&] { return cancelled(); });
+    return cancelled() ? tl::unexpected(m_control->m_why) : Result<void>();
+}
+
 class SessionMailbox final : public Mailbox, public FrameListener
 {
 public:

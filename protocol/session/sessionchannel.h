@@ -51,6 +51,8 @@ public:
     Result<Frame> transact(const Request &request) override;
     void post(const Request &request) override;
     Result<void> sleep(milliseconds duration) override;
+    /// The same, whether there is a link or not.
+    Result<void> pause(milliseconds duration);
     std::unique_ptr<Mailbox> listen(std::function<bool(const FrameView &)> filter) override;
     Result<void> setLine(const LineSettings &line) override;
     void steer(const ControlFrames &frames) override;

@@ -36,7 +36,7 @@ constexpr auto kAutoPidLimit = 10min;
 constexpr int kStillnessSamples = 25;
 constexpr double kClearBias = 1.0;  // deg/s
 constexpr double kClearAccError = 0.03;  // g
-constexpr double kHardlyBetter = 0.7;
+constexpr double kUnchanged = 0.1;  // in a hand it would be another one
 constexpr double kStillNoise = 2.0;  // deg/s, standard deviation of the shakiest axis
 constexpr int kAutoPidSize = 19;
 constexpr int kMeasuring = 1;  // kind of calibration: measures this position
@@ -182,7 +182,7 @@ Result<void> Actions::checkBetter(CommandId id, const Stillness &before, const S
     const double is = isGyro ? after.gyroBias : after.accError;
     const bool isMeasured
         = after.gyroNoise < kStillNoise && (isGyro || (before.isUpright && after.isUpright));
-    if (!isMeasured || was < (isGyro ? kClearBias : kClearAccError) || is < kHardlyBetter * was)
+    if (!isMeasured || was < (isGyro ? kClearBias : kClearAccError) || std::abs(is - was) > kUnchanged * was)
         return {};
     return failure(ErrorCode::NoEffect,
                    (isGyro ? u"the gyroscope shows %1 °/s at rest, and showed %2 °/s before"_s
