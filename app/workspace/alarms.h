@@ -25,7 +25,8 @@ public:
 
     /// Newest first. Those that are over stay until they are acknowledged.
     [[nodiscard]] const QList<AlarmReport> &all() const { return m_reports; }
-    /// Those that have to be seen now: they go on, or the program did something about them.
+    /// Those that have to be seen now: they go on, the program did something about them, or the camera moved
+    /// by itself or unseen.
     [[nodiscard]] QList<AlarmReport> pressing() const;
     [[nodiscard]] ErrorText text(const AlarmReport &report) const;
     /// How often the same happened since it was acknowledged last.

@@ -44,6 +44,8 @@ private slots:
     void whatItPushesAwayTakesNoClicks();
     void storingAlarmedValuesAsks();
     void sameCauseIsOneCard();
+    void motionStaysInSight_data();
+    void motionStaysInSight();
     void settingsAreKeptAndUsed();
     void settingsByHandAreChecked();
     void everyAlarmHasWords();
@@ -348,6 +350,42 @@ void TestAlarms::sameCauseIsOneCard()
     alarms.acknowledge(4);
     emit m_rig->client().alarmChanged(report);  // what is told late of it is not wanted any more
     QVERIFY(alarms.all().isEmpty());
+}
+
+// What only gives time goes with its cause; that the camera moved, or was steered unseen, is not overlooked.
+void TestAlarms::motionStaysInSight()
+{
+    QFETCH(AlarmKind, kind);
+    QFETCH(bool, mayBeMeant);
+    QFETCH(bool, stays);
+    QVERIFY(m_rig->open(u"sim:simplebgc?seed=56"_s));
+    AlarmReport report;
+    report.number = 1;
+    report.alarm.kind = kind;
+    report.alarm.axis = Axis::Yaw;
+    report.alarm.mayBeMeant = mayBeMeant;
+    emit m_rig->client().alarmChanged(report);
+    QVERIFY(bar()->isVisible());
+    report.isOver = true;
+    emit m_rig->client().alarmChanged(report);
+    QCOMPARE(bar()->isVisible(), stays);
+    if (!stays)
+        return;
+    QVERIFY2(bar()->text().contains(u"Over: "_s), qPrintable(bar()->text()));
+    m_rig->workspace().alarms().acknowledge(1);
+    QVERIFY(!bar()->isVisible());
+}
+
+void TestAlarms::motionStaysInSight_data()
+{
+    QTest::addColumn<AlarmKind>("kind");
+    QTest::addColumn<bool>("mayBeMeant");
+    QTest::addColumn<bool>("stays");
+    QTest::newRow("runaway") << AlarmKind::Runaway << false << true;
+    QTest::newRow("runaway that may be meant") << AlarmKind::Runaway << true << false;
+    QTest::newRow("oscillation") << AlarmKind::Oscillation << false << true;
+    QTest::newRow("steered unseen") << AlarmKind::Stale << false << true;
+    QTest::newRow("heat") << AlarmKind::Heat << false << false;
 }
 
 void TestAlarms::settingsAreKeptAndUsed()
