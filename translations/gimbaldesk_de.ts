@@ -1464,6 +1464,10 @@
         <source>It measures %1 g instead of 1 g, which no sensor at rest does. Let it lie still, or check the sensor and its calibration.</source>
         <translation>Er misst %1 g statt 1 g, was kein ruhender Sensor tut. Lassen Sie ihn still liegen, oder prüfen Sie den Sensor und seine Kalibrierung.</translation>
     </message>
+    <message>
+        <source>%1. Waiting until the sensor sends live data again.</source>
+        <translation>%1. Gewartet wird, bis der Sensor wieder Live-Daten sendet.</translation>
+    </message>
 </context>
 <context>
     <name>ChangeModel</name>
@@ -14198,6 +14202,10 @@ Auf dem Board: %1</translation>
     <message>
         <source>The board confirms that it has stored; only its next start shows it. The settings as they were are kept in %1</source>
         <translation>Das Board bestätigt, dass es gespeichert hat; zeigen wird es erst sein nächster Start. Die Einstellungen von vorher liegen in %1</translation>
+    </message>
+    <message>
+        <source>%1 is stored otherwise than it is used</source>
+        <translation>%1 ist anders gespeichert als verwendet</translation>
     </message>
 </context>
 </TS>

@@ -544,7 +544,7 @@ Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Co
     const bool isUntold = !report
         && (report.error().code == ErrorCode::ConditionUnmet || report.error().code == ErrorCode::Unready);
     if (isUntold && device.wholeMemory())
-        report.error().detail += u"; --others store stores everything that is in use"_s;
+        addDetail(report.error().detail, u"--others store stores everything that is in use"_s);
     if (!report)
         return tl::unexpected(report.error());
     CommandOutcome outcome;

@@ -340,7 +340,7 @@ public:
             Error error = afterLive(channel, device, done.error(), usedBefore);
             if (const auto run
                 = isLinkLoss(error) ? std::nullopt : findMotorsChanged(channel, device, ranBefore))
-                error.detail += u"; "_s + motorsChangedText(*run);
+                addDetail(error.detail, motorsChangedText(*run));
             return tl::unexpected(error);
         }
         CommandOutcome outcome;

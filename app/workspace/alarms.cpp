@@ -114,10 +114,9 @@ static bool movedUnwanted(const Alarm &alarm)
 QList<AlarmReport> Alarms::pressing() const
 {
     QList<AlarmReport> list;
-    std::copy_if(m_reports.begin(), m_reports.end(), std::back_inserter(list),
-                 [](const AlarmReport &report) {
-                     return !report.isOver || report.hasActed() || movedUnwanted(report.alarm);
-                 });
+    std::copy_if(m_reports.begin(), m_reports.end(), std::back_inserter(list), [](const AlarmReport &report) {
+        return !report.isOver || report.hasActed() || movedUnwanted(report.alarm);
+    });
     // What moves comes before what only wears out.
     std::stable_sort(list.begin(), list.end(),
                      [](const AlarmReport &a, const AlarmReport &b) { return a.alarm.kind < b.alarm.kind; });

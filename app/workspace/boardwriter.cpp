@@ -147,7 +147,8 @@ void BoardWriter::onReport(const Result<WriteReport> &result)
     }
     QStringList names;
     for (const WriteLine &line : result->lines)
-        names.append(line.spec->key);
+        names.append(changePlace(result->onBoard, {line.spec, line.profile, line.from, line.to})
+                     + line.spec->key);
     text.detail += u' ' + names.mid(0, 12).join(u", "_s);
     m_notifications.report(text, Concern::Writing);
 }

@@ -6,6 +6,7 @@
 #include "protocol/procedure/wholewrite.h"
 #include "widgets/forms/panel.h"
 #include "widgets/forms/reviewdialog.h"
+#include "widgets/models/parametermodel.h"
 
 #include <QPointer>
 #include <QPromise>
@@ -229,11 +230,15 @@ QFuture<bool> Workspace::reviewStoring(const WholeMemory::Contents &both, QWidge
 QFuture<bool> Workspace::askToStoreAll(const Error &untold, QWidget &over)
 {
     const Stored stored = makeStored();
+    // The detail begins with the key of the value that stands in the way.
+    const ParameterSpec *spec = m_configuration.board().parameters().find(untold.detail.section(u' ', 0, 0));
+    const QString cause
+        = spec ? tr("%1 is stored otherwise than it is used").arg(parameterLabel(*spec)) : untold.detail;
     QDialog *panel = askInPanel(
         {tr("Store everything in use?"),
          tr("What is stored cannot be compared now, so values cannot be kept out: %1. The board stores "
             "everything that it uses, whoever has set it.")
-             .arg(untold.detail),
+             .arg(cause),
          {{tr("Store everything"),
            [this, stored] { storeAll().then(this, [stored](bool done) { end(stored, done); }); }, true}},
          tr("Store nothing")},

@@ -97,7 +97,8 @@ Result<WriteReport> Writer::run()
     if (!back && !m_report.error)
         m_report.error = back.error();
     else if (!back && !isLinkGone(*m_report.error))
-        m_report.error->detail += u"; what was in use before is not in use again: "_s + back.error().detail;
+        addDetail(m_report.error->detail,
+                  u"what was in use before is not in use again: "_s + back.error().detail);
     return m_report;
 }
 

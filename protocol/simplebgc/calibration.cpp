@@ -338,10 +338,12 @@ Error Actions::afterSearch(Error error)
         return error;
     }
     const auto stopped = stopAutoTune({});
-    error.detail += stopped
-        ? u": the board was told to stop searching, and reports no search any more"_s
-        : u": the board may be searching; it was told to stop, without proof (%1): switch the motors off"_s
-              .arg(stopped.error().detail);
+    addDetail(
+        error.detail,
+        stopped
+            ? u"the board was told to stop searching, and reports no search any more"_s
+            : u"the board may be searching; it was told to stop, without proof (%1): switch the motors off"_s
+                  .arg(stopped.error().detail));
     return error;
 }
 
@@ -357,7 +359,8 @@ Error Actions::afterSearch(const Error &error, const std::vector<AdjustableValue
         return ended;
     }
     if (const auto back = m_device.putAdjustables(m_channel, before); !back)
-        ended.detail += u"; the gains from before could not be put back (%1)"_s.arg(back.error().detail);
+        addDetail(ended.detail,
+                  u"the gains from before could not be put back (%1)"_s.arg(back.error().detail));
     return ended;
 }
 
@@ -480,7 +483,7 @@ Result<ActionReply> Actions::autoTune(const QVariantMap &arguments)
     const auto after = gainsInUse(profile, profile == *active);
     if (!after) {
         Error error = after.error();
-        error.detail += u": the search has ended; which gains are in use could not be read"_s;
+        addDetail(error.detail, u"the search has ended; which gains are in use could not be read"_s);
         return tl::unexpected(error);
     }
     for (auto it = after->begin(); it != after->end(); ++it) {

@@ -60,6 +60,8 @@ private slots:
     void cleanup() { m_rig.reset(); }
 
     void gyroscopeToTheEnd();
+    void gyroscopeWaitsForAFrozenBoard_data();
+    void gyroscopeWaitsForAFrozenBoard();
     void gyroscopeWaitsWhileItMoves();
     void calibrationCancelled();
     void calibrationShaken();
@@ -196,6 +198,37 @@ void TestMotion::gyroscopeToTheEnd()
         !workspace().history().snapshots(std::as_const(m_rig->model()).board().identity().serial).isEmpty());
     QTest::mouseClick(page->continueButton(), Qt::LeftButton);
     QCOMPARE(page->step(), CalibrationPage::Step::Choose);
+}
+
+// What a board repeats looks perfectly still.
+void TestMotion::gyroscopeWaitsForAFrozenBoard_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::addColumn<QString>("told");
+    QTest::newRow("with time stamps") << u"sim:simplebgc"_s << u"Waiting for live data of the sensor."_s;
+    QTest::newRow("without") << u"sim:simplebgc?firmware=2.40"_s
+                             << u"Waiting until the sensor sends live data again."_s;
+}
+
+void TestMotion::gyroscopeWaitsForAFrozenBoard()
+{
+    QFETCH(const QString, address);
+    QFETCH(const QString, told);
+    QVERIFY(m_rig->open(address));
+    QVERIFY(alive());
+    CalibrationPage *page = calibration(CalibrationPage::Kind::Gyroscope);
+    workspace().changeWorld(u"pose=1"_s);
+    QTRY_VERIFY(page->isSatisfied());
+    workspace().changeWorld(u"frozen=1"_s);
+    const auto says = [page, &told] {
+        const auto labels = page->findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [&told](const QLabel *label) { return label->text().contains(told); });
+    };
+    QTRY_VERIFY(says());
+    QVERIFY(!page->isSatisfied() && !page->continueButton()->isEnabled());
+    workspace().changeWorld(u"frozen=0"_s);
+    QTRY_VERIFY(page->isSatisfied());
 }
 
 void TestMotion::gyroscopeWaitsWhileItMoves()

@@ -249,6 +249,9 @@ QString CalibrationPage::waitingFor() const
 {
     if (std::isnan(m_motion) || std::isnan(m_acc[0]))
         return tr("Waiting for live data of the sensor.");
+    // What a board repeats looks perfectly still.
+    if (const QString trouble = workspace().freshness().troubleText(); !trouble.isEmpty())
+        return tr("%1. Waiting until the sensor sends live data again.").arg(trouble);
     if (m_motion > kStillEnough)
         return tr("It moves (%1 °/s). Waiting until it is still.").arg(numberText(m_motion, 1));
     if (m_kind == Kind::SixPositions && workspace().motorsRunning() == true)

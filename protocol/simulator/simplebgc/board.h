@@ -12,6 +12,7 @@
 #include <QMap>
 
 #include <deque>
+#include <map>
 
 namespace simplebgc {
 
@@ -96,6 +97,7 @@ private:
     [[nodiscard]] Angles angles() const;
     [[nodiscard]] std::vector<std::vector<double>> debugValues() const;
     void sendStreams();
+    [[nodiscard]] QByteArray polled(CommandId id, const QByteArray &payload);
     void send(CommandId id, const QByteArray &payload, int version, bool isStream = false);
     [[nodiscard]] std::optional<qint32> adjVar(int id) const;
     bool setAdjVar(int id, qint32 value);
@@ -151,6 +153,7 @@ private:
     double m_voltageOffset = 0;
     quint64 m_serialErrors = 0;
     std::vector<Stream> m_streams;
+    std::map<CommandId, QByteArray> m_polled;  // the newest answers
     StreamCount m_streamCount;
     Calibration m_calibration;
     std::array<std::array<std::optional<double>, 2>, kAxisCount>

@@ -18,6 +18,7 @@ constexpr double kLatency = 0.0015;  // seconds from command to the first byte o
 constexpr double kWriteLatency = 0.030;  // EEPROM write (errata 7: tens of ms)
 constexpr double kCalibrationTime = 4.0;
 constexpr double kResetNotice = 1.0;  // document CMD_RESET: 1000 ms between notice and restart
+constexpr int kStreamsFrom = 2590;  // firmware
 constexpr qsizetype kStreamSpace = 512;  // with more than this in the output buffer, streams are skipped
 constexpr int kMaxStreams = 10;
 constexpr int kUnknownFirmware = 9990;
@@ -89,7 +90,7 @@ void SimulatedBoard::handle(const Frame &frame)
 
 bool SimulatedBoard::handleRead(const Frame &frame)
 {
-    const bool streams = m_options.firmware >= 2590;
+    const bool streams = m_options.firmware >= kStreamsFrom;
     switch (static_cast<CommandId>(frame.id)) {
     case CommandId::BoardInfo: {
         BoardInfo info;
@@ -122,11 +123,11 @@ bool SimulatedBoard::handleRead(const Frame &frame)
     case CommandId::RealtimeData:
     case CommandId::RealtimeData3:
         if (hasSize(frame, 0))
-            reply(frame, CommandId::RealtimeData3, realtime(false));
+            reply(frame, CommandId::RealtimeData3, polled(CommandId::RealtimeData3, realtime(false)));
         return true;
     case CommandId::RealtimeData4:
         if (hasSize(frame, 0))
-            reply(frame, CommandId::RealtimeData4, realtime(true));
+            reply(frame, CommandId::RealtimeData4, polled(CommandId::RealtimeData4, realtime(true)));
         return true;
     case CommandId::RealtimeDataCustom:
         if (!streams)
@@ -136,7 +137,7 @@ bool SimulatedBoard::handleRead(const Frame &frame)
         return true;
     case CommandId::GetAngles:
         if (hasSize(frame, 0))
-            reply(frame, CommandId::GetAngles, encodeAngles(angles()));
+            reply(frame, CommandId::GetAngles, polled(CommandId::GetAngles, encodeAngles(angles())));
         return true;
     case CommandId::GetAnglesExt:
         if (hasSize(frame, 0))
@@ -432,6 +433,14 @@ void SimulatedBoard::registerStream(const Frame &frame)
         m_streams.push_back({*stream, frame.version, m_now + interval, interval});
     }
     confirm(frame);
+}
+
+// Where there are no streams, live data are what is asked for again and again.
+QByteArray SimulatedBoard::polled(CommandId id, const QByteArray &payload)
+{
+    QByteArray &sent = m_polled[id];
+    const bool isFrozen = m_options.faults.frozen && m_options.firmware < kStreamsFrom && !sent.isEmpty();
+    return isFrozen ? sent : sent = payload;
 }
 
 void SimulatedBoard::sendStreams()
