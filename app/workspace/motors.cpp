@@ -36,10 +36,7 @@ void Workspace::setMotors(bool on)
     }
     const DeviceClient::State state = m_client.state();
     if (!on && (state == DeviceClient::State::Connecting || state == DeviceClient::State::Reconnecting)) {
-        m_stopWhenConnected = true;
-        m_notifications.notify(
-            tr("There is no link yet. The motors are switched off as soon as there is one."),
-            Notice::Attention, Concern::Motors);
+        stopAtNextLink();
         return;
     }
     if (!on && state == DeviceClient::State::Disconnected) {
@@ -72,6 +69,14 @@ void Workspace::setMotors(bool on)
             else if (!done && done.error().code != ErrorCode::Cancelled)
                 m_notifications.report(done.error());
         });
+}
+
+void Workspace::stopAtNextLink()
+{
+    m_stopWhenConnected = true;
+    m_notifications.settle(Concern::Motors);
+    m_notifications.notify(tr("There is no link yet. The motors are switched off as soon as there is one."),
+                           Notice::Attention, Concern::Motors);
 }
 
 // What is known of the motors of this board, from one link to the next.

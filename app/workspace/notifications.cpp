@@ -320,7 +320,14 @@ void Notifications::onState(DeviceClient::State state)
         m_wasLost = false;  // given up
         for (const Concern concern : {Concern::Reading, Concern::LiveData, Concern::Recording})
             settle(concern);
+        // Nothing is repeated any more, and nobody sees what they do.
+        if (m_told.contains(Concern::Motors)) {
+            settle(Concern::Motors);
+            reportMotorsMayRun(tr("The connection ended before the motors were seen to stop."));
+        }
     }
+    if (state == DeviceClient::State::Connecting)
+        settle(Concern::Motors);  // of the connection before
     if (state != DeviceClient::State::Connected)
         return;
     m_leftDisabled = false;

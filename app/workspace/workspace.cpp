@@ -90,10 +90,16 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     connect(&m_client, &DeviceClient::motorsOffFinished, this, [this](bool isProven) {
         m_stopProvenAt = isProven ? std::optional(Clock::now()) : std::nullopt;
         m_stopUnprovenAt = isProven ? std::nullopt : std::optional(Clock::now());
+        if (!isProven && m_client.state() == DeviceClient::State::Reconnecting)
+            stopAtNextLink();
         if (!isProven)
             return;
         m_ranLast = false;
         m_notifications.settle(Concern::Silence);
+    });
+    connect(&m_client, &DeviceClient::connectionLost, this, [this] {
+        if (m_client.isStopUnproven())
+            stopAtNextLink();
     });
     connect(&m_freshness, &Freshness::silentChanged, this, [this](bool isSilent) {
         if (const auto since = m_freshness.silentSince(); isSilent && since && m_ranLast == true)

@@ -225,6 +225,8 @@ private:
     void settleMotors();
     void tellRunningOn(bool isRunning);
     void followMotors(DeviceClient::State state);
+    /// The motors were told to stop, and there is no link to do it.
+    void stopAtNextLink();
     void forgetStop();
     [[nodiscard]] LiveValues lostSince(const Configuration &read) const;
     void tellLost(const LiveValues &lost);

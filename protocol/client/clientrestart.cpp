@@ -64,11 +64,11 @@ void DeviceClient::Private::onSessionClosed(const Error &why)
 {
     if (state != State::Connected)
         return;
-    stopIsUnproven = false;
     std::optional<TimePoint> due;
     now([this, &due] { due = restarts.takeOrder(Clock::now()); });
     loss = due ? Loss::OrderedRestart : Loss::Link;
     emit q.connectionLost(due ? Error{ErrorCode::Restarted, why.detail} : why);
+    stopIsUnproven = false;
     // Jobs that waited for this link end with it; they must not start unexpectedly on the next one.
     cancelJobs({ErrorCode::LinkClosed, why.detail, 0});
     startAttempt(State::Reconnecting, why.code == ErrorCode::Cancelled ? 0ms : kReconnectPause);
@@ -99,8 +99,8 @@ void DeviceClient::Private::onRestarted(const QString &evidence, bool isOrdered)
 
 void DeviceClient::Private::renewLink(const Error &why, milliseconds pause)
 {
-    stopIsUnproven = false;
     emit q.connectionLost(why);
+    stopIsUnproven = false;
     cancelJobs(loss == Loss::Restart ? why : Error{ErrorCode::LinkClosed, why.detail, 0});
     later([link = session, why] { link->leaveRestarted(why); });
     startAttempt(State::Reconnecting, pause);

@@ -36,6 +36,9 @@ private slots:
     void aStopWithoutALinkSaysSo();
     void aBoardThatRunsOnIsTold_data();
     void aBoardThatRunsOnIsTold();
+    void aStopOutlivesTheLink_data();
+    void aStopOutlivesTheLink();
+    void aStopEndsWithTheConnection();
     void escClosesTheNewestOnly();
     void aSecondClickClosesNothingElse();
     void problemsComeAlongIntoAnotherLanguage();
@@ -184,6 +187,60 @@ void TestMessages::aBoardThatRunsOnIsTold()
     workspace().changeWorld(u"runs-on=0"_s);
     QTRY_COMPARE(workspace().motorsRunning(), std::optional(false));
     QTRY_VERIFY(!bar().text().contains(u"The motors run on"_s));
+}
+
+// A stop that has not worked yet is not forgotten with the link; what is told of it is true all the time.
+void TestMessages::aStopOutlivesTheLink_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::addColumn<QString>("breaks");
+    QTest::addColumn<bool>("waits");
+    for (const QString &family : {u"simplebgc"_s, u"storm32"_s}) {
+        QTest::addRow("%s, the link, repeated", qPrintable(family))
+            << u"sim:"_s + family << u"unplug=0"_s << true;
+        QTest::addRow("%s, the link, at once", qPrintable(family))
+            << u"sim:"_s + family << u"unplug=0"_s << false;
+        QTest::addRow("%s, the board", qPrintable(family)) << u"sim:"_s + family << u"reset=0.1"_s << true;
+    }
+}
+
+void TestMessages::aStopOutlivesTheLink()
+{
+    QFETCH(const QString, address);
+    QFETCH(const QString, breaks);
+    QFETCH(const bool, waits);
+    QVERIFY(m_rig->open(address));
+    QTRY_COMPARE(workspace().motorsRunning(), std::optional(true));
+    QTRY_VERIFY(!workspace().isStarting());
+    workspace().changeWorld(u"runs-on=1"_s);
+    workspace().changeWorld(u"replug=1"_s);
+    workspace().setMotors(false);
+    if (waits)
+        QTRY_VERIFY2(bar().text().contains(u"stopping them is repeated"_s), qPrintable(bar().text()));
+    workspace().changeWorld(breaks);
+    QTRY_VERIFY(m_rig->client().state() == DeviceClient::State::Reconnecting);
+    QTRY_VERIFY2(bar().text().contains(u"switched off as soon as"_s), qPrintable(bar().text()));
+    QVERIFY2(!bar().text().contains(u"is repeated"_s), qPrintable(bar().text()));
+    QTRY_VERIFY(m_rig->client().isConnected());
+    workspace().changeWorld(u"runs-on=0"_s);
+    QTRY_COMPARE(workspace().motorsRunning(), std::optional(false));
+    QTRY_VERIFY(!bar().text().contains(u"run on"_s) && !bar().text().contains(u"as soon as"_s));
+}
+
+// The operator has ended the connection: nothing is repeated any more.
+void TestMessages::aStopEndsWithTheConnection()
+{
+    QVERIFY(m_rig->open());
+    QTRY_COMPARE(workspace().motorsRunning(), std::optional(true));
+    workspace().changeWorld(u"runs-on=1"_s);
+    workspace().setMotors(false);
+    QTRY_VERIFY2(bar().text().contains(u"stopping them is repeated"_s), qPrintable(bar().text()));
+    m_rig->client().disconnectFromBoard();
+    QTRY_VERIFY(m_rig->client().state() == DeviceClient::State::Disconnected);
+    QVERIFY2(!bar().text().contains(u"is repeated"_s), qPrintable(bar().text()));
+    QVERIFY2(bar().text().contains(u"ended before the motors were seen to stop"_s), qPrintable(bar().text()));
+    QVERIFY(m_rig->open());
+    QVERIFY2(!bar().text().contains(u"were seen to stop"_s), qPrintable(bar().text()));
 }
 
 void TestMessages::escClosesTheNewestOnly()

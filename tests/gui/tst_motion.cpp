@@ -76,6 +76,7 @@ private slots:
     void stoppedSearchLeavesNothing_data();
     void stoppedSearchLeavesNothing();
     void autoTuneUnplugged();
+    void searchThatGoesOnIsStoppedOnceMore();
     void foundGainsUnplugged_data();
     void foundGainsUnplugged();
     void searchHoldsWhatIsInUse();
@@ -698,12 +699,56 @@ void TestMotion::autoTuneUnplugged()
     QVERIFY(workspace().live().changeCount() > 0);
     QVERIFY2(m_rig->window().messageBar()->text().contains(u"other gains"_s),
              qPrintable(m_rig->window().messageBar()->text()));
+    QSignalSpy notices(&workspace().notifications(), &Notifications::notice);
     QTest::mouseClick(page->revertButton(), Qt::LeftButton);
     QTRY_COMPARE(liveP(), before);
     QVERIFY(m_rig->jobsAreDone());
     workspace().live().read();
     QVERIFY(m_rig->jobsAreDone());
     gainsAreAsBefore(page, before);
+    // Nothing tells whether the board has stored what it tried: the old gains can be stored over it.
+    const auto store = [this] { return named<QPushButton>(&m_rig->window(), u"Store the old gains"_s); };
+    QTRY_VERIFY(store() && store()->isVisible());
+    QTest::mouseClick(store(), Qt::LeftButton);
+    QTRY_VERIFY(std::any_of(notices.begin(), notices.end(), [](const auto &each) {
+        return each.first().toString().contains(u"that it has stored"_s);
+    }));
+    QTRY_COMPARE(liveP(), before);
+    QVERIFY(m_rig->jobsAreDone());
+    gainsAreAsBefore(page, before);
+}
+
+// Each stop is tried and judged anew; until one is proven, the page says that the board searches on.
+void TestMotion::searchThatGoesOnIsStoppedOnceMore()
+{
+    QVERIFY(m_rig->open());
+    QVERIFY(alive());
+    AutoTunePage *page = autoTune();
+    const int before = liveP();
+    QTest::mouseClick(page->startButton(), Qt::LeftButton);
+    QTRY_VERIFY(errorPoints(page, u"Error, Roll"_s) >= 1);
+    workspace().changeWorld(u"runs-on=1"_s);
+    auto *stop = named<QPushButton>(page, u"Stop and revert to the old gains"_s);
+    const auto says = [page](const QString &text) {
+        const auto labels = page->findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(), [&text](const QLabel *label) {
+            return label->isVisible() && label->text().contains(text);
+        });
+    };
+    for (int stops = 0; stops < 2; ++stops) {
+        QTest::mouseClick(stop, Qt::LeftButton);
+        QVERIFY(says(u"watched until it has"_s));
+        QTRY_VERIFY(says(u"The board searches on although it was told to stop."_s));
+        QVERIFY(stop->isEnabled());
+        QVERIFY(page->state() != AutoTunePage::State::Ready);
+    }
+    workspace().changeWorld(u"runs-on=0"_s);
+    QTest::mouseClick(stop, Qt::LeftButton);
+    QTRY_COMPARE(page->state(), AutoTunePage::State::Ready);
+    QTRY_COMPARE(liveP(), before);
+    QVERIFY(m_rig->jobsAreDone());
+    QTRY_COMPARE(boardsP(), before);
+    QVERIFY(!m_rig->window().messageBar()->text().contains(u"searches on"_s));
 }
 
 void TestMotion::foundGainsUnplugged_data()

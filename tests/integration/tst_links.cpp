@@ -102,6 +102,14 @@ public:
     }
     /// The client's side of the link breaks; it may connect again.
     void dropLink() { m_drop = true; }
+    /// From now on whoever connects is sent away at once.
+    void slam(bool slams) { m_slams = slams; }
+    /// When somebody was sent away.
+    std::vector<TimePoint> sentAway()
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_sentAway;
+    }
 
 private:
     void run()
@@ -129,6 +137,11 @@ private:
             if (!client) {
                 if (server.waitForNewConnection(5))
                     client.reset(server.nextPendingConnection());
+                if (client && m_slams) {
+                    const std::lock_guard lock(m_mutex);
+                    m_sentAway.push_back(Clock::now());
+                    client.reset();
+                }
                 continue;
             }
             if (m_drop.exchange(false)) {
@@ -151,10 +164,12 @@ private:
     std::atomic<quint16> m_port = 0;
     std::atomic<bool> m_stop = false;
     std::atomic<bool> m_drop = false;
+    std::atomic<bool> m_slams = false;
     std::mutex m_mutex;
     std::map<int, TimePoint> m_seen;
     std::map<int, int> m_swallowed;
     std::map<int, int> m_counts;
+    std::vector<TimePoint> m_sentAway;
     std::thread m_thread;
 };
 
@@ -201,6 +216,7 @@ private slots:
     void submittingWithoutABoardFails();
     void resultsComeFromTheEventLoop();
     void unfinishedJobsHaveResultsAfterTheEnd();
+    void peerThatClosesAtOnceIsTriedAtEase();
     void foreignProtocolIsNamed();
     void portInUseIsToldAsBusy();
 };
@@ -769,6 +785,24 @@ void TestLinks::submittingWithoutABoardFails()
     client->motorsOff();
     QTRY_COMPARE(finished.count(), 1);
     QCOMPARE(finished.first().first().toBool(), false);
+}
+
+// Not a storm of attempts, and it goes on until somebody lets it in.
+void TestLinks::peerThatClosesAtOnceIsTriedAtEase()
+{
+    SimProcess simulator({u"--tcp"_s, u"0"_s});
+    WireTap tap(portOf(simulator));
+    const auto client = makeClient();
+    QVERIFY(connectTo(*client, tap.address()));
+    tap.slam(true);
+    tap.dropLink();
+    QTRY_VERIFY(tap.sentAway().size() >= 5);
+    QCOMPARE(client->state(), DeviceClient::State::Reconnecting);
+    const std::vector<TimePoint> tries = tap.sentAway();
+    QVERIFY2(tries[4] - tries[0] > 1500ms, qPrintable(QString::number(seconds(tries[4] - tries[0]))));
+    tap.slam(false);
+    QTRY_VERIFY(client->isConnected());
+    QVERIFY(read(*client));
 }
 
 void TestLinks::foreignProtocolIsNamed()
