@@ -149,8 +149,16 @@ Result<LiveChange> LiveAccess::takeBack(Channel &channel)
     }
     if (open.isRunning)
         return failure(ErrorCode::Busy, u"the board is tuning itself"_s);
-    if (!open.before.empty())
+    if (!open.before.empty()) {
+        const auto now = readAdjustables(channel, idsOf(open.before));
+        if (!now)
+            return tl::unexpected(now.error());
+        std::erase_if(open.before, [&now](const AdjustableValue &was) {
+            const AdjustableValue *is = findValue(*now, was.id);
+            return is && is->value == was.value;
+        });
         change = LiveChange{channel.now(), channel.now(), open.before, {}};
+    }
     if (!change || change->before.empty())
         return failure(ErrorCode::NoEffect, u"nothing was changed live"_s);
     const auto inUse = readAdjustables(channel, idsOf(change->after));

@@ -168,6 +168,7 @@ private:
         return QTest::qWaitFor([&value] { return value.has_value(); }, kPatience) ? int(*value) : -1;
     }
     /// Board, models, foot bar, and the pages that show gains.
+    static int rowOf(const AutoTunePage *page, const QString &gain);
     void gainsAreAsBefore(const AutoTunePage *page, int before);
     ControlPage *control()
     {
@@ -590,6 +591,11 @@ void TestMotion::autoTuneThatHarmsIsTakenBack()
     QCOMPARE(liveP(), before);
 }
 
+int TestMotion::rowOf(const AutoTunePage *page, const QString &gain)
+{
+    return page->findChild<QTableWidget *>()->findItems(gain, Qt::MatchExactly).value(0)->row();
+}
+
 void TestMotion::gainsAreAsBefore(const AutoTunePage *page, int before)
 {
     QCOMPARE(boardsP(), before);
@@ -599,7 +605,7 @@ void TestMotion::gainsAreAsBefore(const AutoTunePage *page, int before)
     QVERIFY(!workspace().isUnstored());
     QCOMPARE(m_rig->model().changeCount(), 0);
     const auto *table = page->findChild<QTableWidget *>();
-    const int row = table->findItems(u"P · Roll"_s, Qt::MatchExactly).value(0)->row();
+    const int row = rowOf(page, u"P · Roll"_s);
     QCOMPARE(table->item(row, 1)->text(), QString::number(before));
     QCOMPARE(table->item(row, 2)->text(), QString::number(before));
     QCOMPARE(table->item(row, 3)->text(), QString());
@@ -741,6 +747,11 @@ void TestMotion::searchThatGoesOnIsStoppedOnceMore()
         QTRY_VERIFY(says(u"The board searches on although it was told to stop."_s));
         QVERIFY(stop->isEnabled());
         QVERIFY(page->state() != AutoTunePage::State::Ready);
+        // Meanwhile what is shown as in use is what the board uses.
+        const int shown = liveP();
+        QTRY_VERIFY(liveP() > 0 && liveP() != shown);
+        QTRY_COMPARE(page->findChild<QTableWidget *>()->item(rowOf(page, u"P · Roll"_s), 2)->text(),
+                     QString::number(liveP()));
     }
     workspace().changeWorld(u"runs-on=0"_s);
     QTest::mouseClick(stop, Qt::LeftButton);

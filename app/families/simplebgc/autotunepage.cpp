@@ -34,6 +34,7 @@ constexpr int kBeforeColumn = 1;
 constexpr int kNowColumn = 2;
 constexpr int kAskWidth = 340;
 constexpr double kJudged = 3.0;  // seconds whose error counts
+constexpr auto kFollowEvery = 1500ms;
 constexpr auto kJudgeAfter = 4s;  // the search has shaken the camera
 constexpr double kWorseTimes = 2.0;
 constexpr double kWorseDegrees = 0.3;
@@ -100,6 +101,14 @@ AutoTunePage::AutoTunePage(Workspace &workspace, QWidget *parent)
     body()->addWidget(m_text);
     body()->addLayout(row, 1);
 
+    // Nobody reports what a search uses that was told to stop and goes on.
+    m_following.setInterval(kFollowEvery);
+    connect(&m_following, &QTimer::timeout, this, [this] {
+        if (!m_goesOn)
+            m_following.stop();
+        else if (!this->workspace().client().isBusy())
+            m_live.read();
+    });
     m_judging.setSingleShot(true);
     connect(&m_judging, &QTimer::timeout, this, &AutoTunePage::judge);
     connect(m_start, &QPushButton::clicked, this, &AutoTunePage::start);
@@ -334,6 +343,9 @@ void AutoTunePage::onFinished(const Result<ActionOutcome> &outcome)
     if (wentOn && !m_goesOn)
         workspace().notifications().settle(Concern::Interrupted);
     if (m_goesOn) {
+        m_last.clear();
+        m_following.start();
+        fillTable();
         workspace().notifications().report(outcome.error(), Concern::Interrupted);
         m_stop->setEnabled(true);
         m_text->setText(
@@ -540,7 +552,7 @@ void AutoTunePage::fillTable()
         const ParameterSpec &spec = model.board().parameters().at(parameter);
         if (!spec.key.startsWith(u"pid."_s))
             continue;
-        const auto now = m_state == State::Running ? tried(spec) : m_live.value(parameter);
+        const auto now = m_state == State::Running && !m_goesOn ? tried(spec) : m_live.value(parameter);
         const auto before = m_before.contains(parameter) ? std::optional(m_before.value(parameter))
                                                          : m_live.stored(parameter);
         const int row = m_table->rowCount();

@@ -95,6 +95,7 @@ private:
     bool m_isGone = false;  // no more, before it was judged
     QMap<QString, double> m_last;  // latest figures of the run
     std::array<double, kAxisCount> m_errorBefore{};
+    QTimer m_following;  // what is in use while the search goes on
     QTimer m_judging;  // what was found is measured before it is recommended
     std::function<void()> m_whenReverted;
     Left m_left = Left::Nothing;
