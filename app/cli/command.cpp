@@ -253,8 +253,12 @@ void BoardCommand::readAgain()
         return;
     const BoardIdentity &before = beforeOf(*m_interrupted).identity();
     if (m_client->identity().serial != before.serial) {
-        emit told(u"another board answers now: %1; before it was %2"_s.arg(boardText(m_client->identity()),
-                                                                           boardText(before)));
+        // One without a serial number is known by its look, which a name belongs to.
+        const bool isSurely = before.isNumbered() || m_client->identity().isNumbered();
+        emit told((isSurely ? u"another board answers now: %1; before it was %2"_s
+                            : u"a board that looks otherwise answers now: %1; before it was %2. It has no "
+                              "serial number: whether it is the same one is not known"_s)
+                      .arg(boardText(m_client->identity()), boardText(before)));
         conclude(*m_interrupted);
         return;
     }

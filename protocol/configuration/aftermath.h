@@ -14,6 +14,7 @@ struct Aftermath
         = false;  ///< `before` is what was in use, on a board that keeps that apart from what is stored
     std::optional<Configuration> now = {};
     bool isBlind = false;  ///< what failed changes, above all, what no parameter shows
+    bool isUnseen = false;  ///< nothing that the board tells shows whether it was carried out
     bool isStoring = false;  ///< what failed was to store what is in use: `before` is what was stored
     bool isStoreUntold = false;  ///< what failed was to store what is in use, which is all the board tells
     QString endedBy = {};  ///< what failed may go on on the board: the action that ends it and proves that

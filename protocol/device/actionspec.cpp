@@ -40,6 +40,15 @@ Result<QVariant> parseArgument(const ArgumentSpec &argument, const QString &text
                 return QVariant(choice.value);
         }
         const int value = text.toInt(&ok, 0);
+        // "1" for "profile1", whose number is 0, would be another one.
+        for (const Choice &choice : argument.choices) {
+            const QString name = QLatin1String(choice.name);
+            if (ok && choice.value != value && name.endsWith(text)
+                && !name.chopped(text.size()).back().isDigit())
+                return failure(ErrorCode::InvalidArgument,
+                               u"%1=%2 may mean %3 or the number of another; give the name: %4"_s.arg(
+                                   key, text, name, choiceNames(argument)));
+        }
         for (const Choice &choice : argument.choices) {
             if (ok && choice.value == value)
                 return QVariant(value);

@@ -39,6 +39,9 @@
 [[nodiscard]] inline std::optional<bool> findMotorsChanged(Channel &channel, const Device &device,
                                                            std::optional<bool> ranBefore)
 {
-    const auto run = ranBefore ? askMotors(channel, device) : std::nullopt;
+    // A board that told before and does not now may be starting, or still answer something else.
+    std::optional<bool> run;
+    for (int tries = 0; tries < 4 && ranBefore && !run; ++tries)
+        run = askMotors(channel, device);
     return run == ranBefore ? std::nullopt : run;
 }

@@ -92,7 +92,14 @@ Error withAftermath(Error error, Channel &channel, Device &device, const Afterma
         return both ? settled(std::move(error), std::move(both->stored)) : error;
     }
     auto now = device.readConfiguration(channel);
-    return now ? settled(std::move(error), withoutLive(*std::move(now), live)) : error;
+    if (!now)
+        return error;
+    error = settled(std::move(error), withoutLive(*std::move(now), live));
+    // A restart in the middle has put it back, or somebody else.
+    if (error.code == ErrorCode::NotRestored && error.after->changes().empty()
+        && error.after->dataChanges().empty())
+        error.code = ErrorCode::NotSeen;
+    return error;
 }
 
 Error withKnown(Error error, const Aftermath &backup)
@@ -149,6 +156,32 @@ std::vector<ParameterChange> changedSince(Channel &channel, Device &device, cons
     std::erase_if(changes,
                   [&moved](const ParameterChange &change) { return moved.contains(change.spec->key); });
     return changes;
+}
+
+// Storing changes nothing that is in use: where it has changed, the board has started anew, or switched its
+// profile, and what it has stored is not what was meant.
+Result<void> checkStillUsed(Channel &channel, Device &device, const std::vector<AdjustableValue> &before)
+{
+    QList<int> ids;
+    for (const AdjustableValue &value : before)
+        ids.append(value.id);
+    const auto now = device.live()->readAdjustables(channel, ids);
+    if (!now)
+        return tl::unexpected(now.error());
+    QHash<int, double> is;
+    for (const AdjustableValue &value : *now)
+        is.insert(value.id, value.value);
+    QStringList different;
+    for (const AdjustableValue &was : before) {
+        const double value = is.value(was.id, was.value);
+        const auto &all = device.parameters()->all();
+        const auto spec = std::find_if(
+            all.begin(), all.end(), [&was](const ParameterSpec &each) { return each.adjustable == was.id; });
+        if (value != was.value && spec != all.end())
+            different.append(u"%1 was %2 in use and is %3 now"_s.arg(
+                spec->key, spec->format(spec->rawOf(was.value)), spec->format(spec->rawOf(value))));
+    }
+    return different.isEmpty() ? Result<void>() : failure(ErrorCode::NotStored, different.join(u"; "_s));
 }
 
 // A board that keeps what is stored apart, and was told to store what is in use in the active profile: what
@@ -269,6 +302,7 @@ private:
     Backup m_backup;
     std::optional<Configuration> m_wanted;  // to be stored
     std::optional<Configuration> m_usedBefore;  // and to be replaced by what is stored
+    std::vector<AdjustableValue> m_valuesBefore;  // in use, and to be stored
     std::optional<bool> m_ranBefore;
     bool m_tellsApart = false;  // the board was seen to answer with what is stored, not with what is in use
     ActionOutcome m_outcome;
@@ -297,6 +331,7 @@ Result<void> SafeAction::backUp()
         return {};
     m_outcome.snapshotPath = m_backup->snapshotPath;
     m_backup->endedBy = QLatin1String(m_action.endedBy);
+    m_backup->isUnseen = !m_action.isShown;
     m_backup->isUnstored = m_action.memory == MemoryEffect::ChangesInUse;
     m_backup->isStoring = m_memory && m_action.memory == MemoryEffect::Stores;
     m_backup->isStoreUntold = m_action.memory == MemoryEffect::Stores && !m_memory;
@@ -314,7 +349,16 @@ Result<void> SafeAction::askBefore()
     }
     if (m_action.memory == MemoryEffect::Stores && !m_memory && m_backup)
         m_tellsApart = !checkActiveStored(m_channel, m_device, m_backup->before);
-    if (m_action.memory == MemoryEffect::Reloads && m_device.wholeMemory()) {
+    if (m_action.memory == MemoryEffect::Stores && !m_memory && m_device.live()) {
+        QList<int> ids;
+        for (const AdjustableSpec &spec : m_device.live()->adjustables())
+            ids.append(spec.id);
+        if (auto values = m_device.live()->readAdjustables(m_channel, ids))
+            m_valuesBefore = *std::move(values);
+    }
+    // What is erased stays in use; where a restart came in between, it does not.
+    const bool mayLose = m_action.memory == MemoryEffect::Reloads || m_action.memory == MemoryEffect::Erases;
+    if (mayLose && m_device.wholeMemory()) {
         if (auto inUse = m_device.readConfiguration(m_channel))
             m_usedBefore = *std::move(inUse);
     }
@@ -338,6 +382,11 @@ Result<ActionReply> SafeAction::act()
         access->noteChangesBy(m_channel, perform);
     else
         perform();
+    // Only the answer may have been lost.
+    if (!reply && reply.error().code == ErrorCode::Timeout && m_action.risk == ActionRisk::Moves)
+        addDetail(reply.error().detail,
+                  m_action.switchesMotors ? u"the motors may run, or start yet"_s
+                                          : u"the board may have carried it out: the camera may be moving"_s);
     if (!reply && !isLinkLoss(reply.error()) && reply.error().code != ErrorCode::Cancelled) {
         if (const auto run = findMotorsChanged(m_channel, m_device, m_ranBefore))
             addDetail(reply.error().detail, motorsChangedText(*run));
@@ -372,6 +421,8 @@ Result<void> SafeAction::prove()
     if (m_action.memory == MemoryEffect::Stores && !m_memory && m_backup) {
         if (const auto stored = checkActiveStored(m_channel, m_device, m_backup->before); !stored)
             return tl::unexpected(withKnown(stored.error(), *m_backup));
+        if (const auto used = checkStillUsed(m_channel, m_device, m_valuesBefore); !used)
+            return tl::unexpected(withKnown(used.error(), *m_backup));
         m_outcome.isStoreUntold = !m_tellsApart;
     }
     if (!m_wanted)

@@ -24,6 +24,9 @@ constexpr auto kSteerPeriod = 50ms;
 constexpr auto kMotorsSwitch = 2s;
 constexpr auto kFollowing = 2s;  // of a camera behind its target
 constexpr double kArrived = 3.0;  // degrees between them
+constexpr double kEarlyTurn = 20.0;  // degrees, where it is looked first
+constexpr double kLeastTurn = 3.0;  // less is not looked for
+constexpr double kSeenTurn = 0.5;
 constexpr qsizetype kErrorBits = 14;  // of REALTIME_DATA_3
 constexpr unsigned kMissingSensor = 1;
 // Entries of the board's menu (errata 4.1).
@@ -272,9 +275,20 @@ Result<ActionReply> Actions::steer(const QVariantMap &arguments)
     Progress progress;
     progress.step = u"steer"_s;
     progress.total = 100;
+    // Whether it turns at all; looked for early as well, because a whole turn ends where it began.
+    const auto before = mode == Speed ? readAngles({}) : Result<ActionReply>(ActionReply());
+    if (!before)
+        return before;
+    const TimePoint begin = m_channel.now();
+    bool isLookedAt = false;
+    bool hasMoved = false;
     Result<void> slept;
     while (m_channel.now() < end && slept) {
         m_channel.steer(frames);
+        if (mode == Speed && !isLookedAt && turned(setpoint, m_channel.now() - begin) > kEarlyTurn) {
+            isLookedAt = true;
+            hasMoved = hasTurned(setpoint, *before);
+        }
         progress.done
             = int(100.0 * (1.0 - std::chrono::duration<double>(end - m_channel.now()).count() / seconds));
         m_channel.progress(progress);
@@ -282,6 +296,8 @@ Result<ActionReply> Actions::steer(const QVariantMap &arguments)
     }
     const bool isPlace = mode == Angle || mode == SpeedAngle;
     const auto there = isPlace && slept ? arrived(setpoint, frames) : Result<ActionReply>();
+    const bool isSeen = mode != Speed || !slept || hasMoved
+        || turned(setpoint, m_channel.now() - begin) < kLeastTurn || hasTurned(setpoint, *before);
     if (mode != Speed && slept) {  // it goes on to the angle, and stays there
         frames.stop = frames.setpoint;
         frames.question.reset();
@@ -290,7 +306,34 @@ Result<ActionReply> Actions::steer(const QVariantMap &arguments)
     m_channel.releaseControl();
     if (!slept)
         return tl::unexpected(slept.error());
+    if (!isSeen)
+        return failure(ErrorCode::NotSeen, u"neither the camera nor its target has turned"_s);
     return isPlace ? there : readAngles({});
+}
+
+// How far an axis has to turn by then, in degrees.
+double Actions::turned(const Device::Control &setpoint, Duration since)
+{
+    double most = 0;
+    for (const Device::AxisControl &axis : setpoint)
+        most = std::max(most, axis.mode == Speed ? std::abs(axis.speed) * seconds(since) : 0.0);
+    return most;
+}
+
+// What cannot be read shows nothing, and refutes nothing.
+bool Actions::hasTurned(const Device::Control &setpoint, const ActionReply &before)
+{
+    const auto now = readAngles({});
+    if (!now)
+        return true;
+    for (std::size_t axis = 0; axis < setpoint.size(); ++axis) {
+        for (const QString &key : {u"imu."_s + axisName(axis), u"target."_s + axisName(axis)}) {
+            if (setpoint[axis].mode == Speed && setpoint[axis].speed != 0
+                && turnBetween(before.value(key).toDouble(), now->value(key).toDouble()) > kSeenTurn)
+                return true;
+        }
+    }
+    return false;
 }
 
 // The board turns its target towards the angle, and the camera follows the target.

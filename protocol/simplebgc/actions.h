@@ -56,6 +56,8 @@ private:
 
     /// The angles, once the camera is where its target is; it is steered until then.
     /// Errors: NotSeen, those of the link.
+    [[nodiscard]] static double turned(const Device::Control &setpoint, Duration since);
+    [[nodiscard]] bool hasTurned(const Device::Control &setpoint, const ActionReply &before);
     Result<ActionReply> arrived(const Device::Control &setpoint, const ControlFrames &frames);
     Result<ActionReply> calibrate(CommandId id, const QVariantMap &arguments);
     struct Stillness

@@ -20,7 +20,6 @@ namespace {
 
 constexpr auto kSettling = 1500ms;
 constexpr auto kUntilStart = 3s;
-constexpr int kAutoDirection = 2;  // of a motor's direction
 constexpr auto kLongestTurn = 30s;
 constexpr auto kRestingFor = 2s;  // no nearer to where it was steered
 constexpr auto kLookEvery = 100ms;
@@ -432,18 +431,21 @@ Result<ActionReply> Actions::perform(const QString &key, const QVariantMap &argu
 // The board is asked for its name again: its history follows what it says.
 Result<ActionReply> Actions::setName(const QByteArray &name)
 {
-    if (const auto set = simple(Simple::SetName, name.leftJustified(16, ' ')); !set)
+    const auto set = simple(Simple::SetName, name.leftJustified(16, ' '));
+    if (!set && set.error().code != ErrorCode::Timeout)
         return set;
+    // Perhaps only its answer was lost.
     const auto reply = m_channel.transact(m_device.simple(Simple::Version));
     if (!reply)
-        return tl::unexpected(reply.error());
+        return tl::unexpected(set ? reply.error() : set.error());
     if (reply->payload.size() != 54)
         return failure(ErrorCode::BadReply, u"v: %1 bytes"_s.arg(reply->payload.size()));
     BoardIdentity now;
     describeLook(now, reply->payload);
     const QString wanted = QString::fromLatin1(name).trimmed();
     if (const QString is = now.extra.value(u"name"_s).toString(); is != wanted)
-        return failure(ErrorCode::VerifyFailed, u"the board calls itself %1, not %2"_s.arg(is, wanted));
+        return failure(set ? ErrorCode::VerifyFailed : ErrorCode::Timeout,
+                       u"the board calls itself %1, not %2"_s.arg(is, wanted));
     return ActionReply{{u"name"_s, wanted}, {u"look"_s, now.serial}};
 }
 

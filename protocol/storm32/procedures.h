@@ -7,6 +7,8 @@
 
 namespace storm32 {
 
+inline constexpr int kAutoDirection = 2;  ///< of a motor's direction: not found yet
+
 /// The family's jobs with many steps: calibration of the accelerometers (errata 9.2), the gimbal
 /// configuration tasks (errata 9.3), and comparing the values in use with the stored ones.
 class Procedures

@@ -303,6 +303,9 @@ Result<ActionReply> Procedures::takeMotors(bool directions, bool positions)
                      *direction == 0       ? u"normal"_s
                          : *direction == 1 ? u"reversed"_s
                                            : u"auto"_s);
+        if (directions && *direction == kAutoDirection)
+            return failure(ErrorCode::NoEffect,
+                           u"the direction of %1 is still on auto"_s.arg(QLatin1String(kNames[axis])));
         if (axis == 2)
             break;  // the start position of yaw is aligned by hand
         const auto position = m_device.readWord(m_channel, kStartWords[axis]);

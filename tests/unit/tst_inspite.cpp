@@ -20,6 +20,14 @@ constexpr auto kRefused = [](const Request &request) {
     return failure(ErrorCode::BoardError, request.name + QStringLiteral(": not now"));
 };
 
+/// No frame that steers gets through.
+class Unsteered final : public ChannelProxy
+{
+public:
+    using ChannelProxy::ChannelProxy;
+    void steer(const ControlFrames &) override { }
+};
+
 }  // namespace
 
 /// What a board does in spite of its answer, or by itself meanwhile, is what counts and is told.
@@ -33,6 +41,9 @@ private slots:
     void inUseIsToldApart();
     void searchIsJudgedByWhatIsInUse();
     void lostStoreIsTold();
+    void turnThatNobodySawIsTold_data();
+    void turnThatNobodySawIsTold();
+    void storeBehindARestartIsTold();
     void confirmedStoreOfLiveValuesIsNoProof();
     void readingBackWhatWasInUseProvesNoStore();
     void profileSwitchedBeforeAWriteStays();
@@ -41,6 +52,8 @@ private slots:
     void motorsAreToldAfterAWrite();
     void stormThatRestartsInAWriteIsTold_data();
     void stormThatRestartsInAWriteIsTold();
+    void stormThatRestartsInAnActionIsTold_data();
+    void stormThatRestartsInAnActionIsTold();
     void switchedUsageIsNoRestart();
     void calibrationIsJudgedByWhatItMeasures_data();
     void calibrationIsJudgedByWhatItMeasures();
@@ -187,6 +200,53 @@ void TestInSpite::lostStoreIsTold()
     QCOMPARE(done.error().code, ErrorCode::NotStored);
     QVERIFY2(done.error().detail.contains(u"pid.roll.p is 61 in use"_s), qPrintable(done.error().detail));
     QVERIFY(perform(bench.channel, bench.device, "variables.save"));
+}
+
+// It has started anew before it stored: what was in use is gone, and the old value is stored once more.
+// No frame that steers has arrived, whatever else answers: that is no success.
+void TestInSpite::turnThatNobodySawIsTold_data()
+{
+    QTest::addColumn<double>("speed");
+    QTest::addColumn<double>("seconds");
+    QTest::newRow("a little") << 10.0 << 1.0;
+    QTest::newRow("far") << 60.0 << 1.0;
+}
+
+void TestInSpite::turnThatNobodySawIsTold()
+{
+    QFETCH(double, speed);
+    QFETCH(double, seconds);
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    bench.board().stabilizer().setMotorsOn(true);
+    QVERIFY(bench.channel.sleep(1s));
+    const QMap<QString, QString> texts{{u"mode"_s, u"speed"_s},
+                                       {u"yaw"_s, QString::number(speed)},
+                                       {u"seconds"_s, QString::number(seconds)}};
+    const auto done = perform(bench.channel, bench.device, "steer", texts);
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QVERIFY(bench.channel.sleep(10s));  // it has come to rest
+    Unsteered unsteered(bench.channel);
+    const auto swallowed = perform(unsteered, bench.device, "steer", texts);
+    QVERIFY(!swallowed);
+    QCOMPARE(swallowed.error().code, ErrorCode::NotSeen);
+}
+
+void TestInSpite::storeBehindARestartIsTold()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    QVERIFY(bench.device.writeAdjustables(bench.channel, {{0, 61}}));
+    Altering restarting(bench.channel, [&](const Request &request, const Altering::Pass &pass) {
+        if (request.name == u"SAVE_PARAMS_3"_s)  // what a restart does to values in use
+            std::ignore = bench.device.writeAdjustables(bench.channel, {{0, 35}});
+        return pass(request);
+    });
+    const auto done = perform(restarting, bench.device, "variables.save");
+    QVERIFY(!done);
+    QCOMPARE(done.error().code, ErrorCode::NotStored);
+    QVERIFY2(done.error().detail.contains(u"pid.roll.p was 61 in use and is 35 now"_s),
+             qPrintable(done.error().detail));
 }
 
 // A button on the board has switched it since it was read.
@@ -346,6 +406,73 @@ void TestInSpite::stormThatRestartsInAWriteIsTold()
     QVERIFY2(report->restart.motorsStarted, qPrintable(restartText(*report)));
     const auto quiet = write(rig.channel, rig.device, u"pid.pitch.p"_s, 420);
     QVERIFY(quiet && !quiet->restart.areTold());
+}
+
+void TestInSpite::stormThatRestartsInAnActionIsTold_data()
+{
+    QTest::addColumn<QString>("action");
+    QTest::addColumn<QString>("request");
+    QTest::addColumn<bool>("ran");
+    QTest::addColumn<bool>("runs");
+    QTest::newRow("compare") << u"stored.compare"_s << u"xr"_s << false << true;
+    QTest::newRow("compare, with an answer nobody expects")
+        << u"stored.compare"_s << u"xr+"_s << false << true;
+    QTest::newRow("name") << u"name"_s << u"xn"_s << false << true;
+    QTest::newRow("trim") << u"trim"_s << u"CR"_s << false << true;
+    QTest::newRow("erase") << u"erase"_s << u"xc"_s << true << false;  // defaults disable all motors
+}
+
+// Whatever the action is, and however it ends: motors that start by themselves, or let go, are told.
+void TestInSpite::stormThatRestartsInAnActionIsTold()
+{
+    QFETCH(QString, action);
+    QFETCH(QString, request);
+    QFETCH(bool, ran);
+    QFETCH(bool, runs);
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    if (!ran)
+        QVERIFY(rig.device.perform(rig.channel, u"motors.off"_s, {}));
+    const ParameterSpec &gain = *rig.device.parameters()->find(u"pid.pitch.p"_s);
+    if (ran)
+        QVERIFY(rig.device.live()->writeAdjustables(rig.channel, {{gain.adjustable, 700}}));
+    bool isDone = false;
+    const bool isStray = request.endsWith(u'+');
+    Altering restarting(rig.channel, [&](const Request &each, const Altering::Pass &pass) {
+        auto answer = pass(each);
+        if (!isDone && (each.name == request || each.name + u'+' == request)) {
+            isDone = true;
+            if (isStray)
+                rig.channel.post(storm32::simpleRequest(storm32::Simple::Restart));
+            else
+                std::ignore = pass(storm32::simpleRequest(storm32::Simple::Restart));
+        }
+        return answer;
+    });
+    const auto done = perform(restarting, rig.device, action.toLatin1(),
+                              action == u"name"_s ? QMap<QString, QString>{{u"name"_s, u"Foo"_s}}
+                                                  : QMap<QString, QString>());
+    QVERIFY(isDone);
+    const QString told = done ? QString() : done.error().detail;
+    if (done)
+        QCOMPARE(done->motorsNow, std::optional(runs));
+    if (done && action == u"erase"_s) {
+        QVERIFY2(std::ranges::any_of(done->lost,
+                                     [](const ParameterChange &change) {
+                                         return change.spec->key == u"pid.pitch.p"_s && change.from == 700;
+                                     }),
+                 "what was in use");
+    }
+    if (!done) {
+        const ErrorText text = describe(done.error());
+        // Either is true, never both.
+        QVERIFY2(!(text.oneLine().contains(u"could not be put back"_s)
+                   && text.oneLine().contains(u"uses the old values"_s)),
+                 qPrintable(text.oneLine()));
+    }
+    if (done)
+        return;
+    QVERIFY2(told.contains(runs ? u"motors run now"_s : u"motors are off now"_s), qPrintable(told));
 }
 
 void TestInSpite::switchedUsageIsNoRestart()

@@ -59,6 +59,7 @@ class TestStormRefused : public QObject
 private slots:
     void confirmedIsNotDone_data();
     void confirmedIsNotDone();
+    void nameWithoutAnAnswerIsLookedAt();
     void startingBoardIsNotHalfWritten_data();
     void startingBoardIsNotHalfWritten();
     void refusedKeepIsToldByValue();
@@ -95,6 +96,7 @@ void TestStormRefused::confirmedIsNotDone_data()
     QTest::newRow("all motors, restart") << u"motors.normal"_s << u"xW"_s;
     QTest::newRow("defaults") << u"defaults"_s << u"xd"_s;
     QTest::newRow("directions") << u"directions.take"_s << u"xm"_s;
+    QTest::newRow("directions of the setup") << u"setup.take_motors"_s << u"xm"_s;
 }
 
 // What the board says of itself afterwards counts.
@@ -107,11 +109,34 @@ void TestStormRefused::confirmedIsNotDone()
     rig.board().set(6, 555);
     rig.board().set(21, 2);  // on auto
     Pretending pretending(rig.channel, command);
-    const auto done = rig.device.perform(pretending, key, {});
+    const QVariantMap arguments = key == u"setup.take_motors"_s
+        ? QVariantMap{{u"directions"_s, true}, {u"positions"_s, true}}
+        : QVariantMap();
+    const auto done = rig.device.perform(pretending, key, arguments);
     QVERIFY(!done);
     QCOMPARE(done.error().code, ErrorCode::NoEffect);
     QVERIFY2(!done.error().detail.isEmpty(), qPrintable(key));
-    QVERIFY2(rig.device.perform(rig.channel, key, {}), qPrintable(key));
+    QVERIFY2(rig.device.perform(rig.channel, key, arguments), qPrintable(key));
+}
+
+// Only its answer was lost: the board has the new name, and that is what counts.
+void TestStormRefused::nameWithoutAnAnswerIsLookedAt()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    const QVariantMap arguments{{u"name"_s, u"Foo"_s}};
+    Altering losing(rig.channel, [](const Request &request, const Altering::Pass &pass) {
+        auto answer = pass(request);
+        return request.name == u"xn"_s ? failure(ErrorCode::Timeout, request.name) : answer;
+    });
+    QVERIFY(rig.device.perform(losing, u"name"_s, arguments));
+    Altering deaf(rig.channel, [](const Request &request, const Altering::Pass &pass) {
+        return request.name == u"xn"_s ? failure(ErrorCode::Timeout, request.name) : pass(request);
+    });
+    const auto done = rig.device.perform(deaf, u"name"_s, {{u"name"_s, u"Bar"_s}});
+    QVERIFY(!done);
+    QCOMPARE(done.error().code, ErrorCode::Timeout);
+    QVERIFY2(done.error().detail.contains(u"calls itself Foo"_s), qPrintable(done.error().detail));
 }
 
 void TestStormRefused::startingBoardIsNotHalfWritten_data()

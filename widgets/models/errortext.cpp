@@ -274,6 +274,8 @@ static void tellAftermath(const Aftermath &after, ErrorText &text)
         text.meaning += u' ' + Words::tr("Where they are not stored, a restart brings the stored ones back.");
     if (after.now && after.isBlind)
         text.meaning += u' ' + Words::tr("Whether sensors were calibrated cannot be seen from that.");
+    else if (after.now && after.isUnseen)
+        text.meaning += u' ' + Words::tr("Whether it was carried out cannot be seen from that.");
     if (!after.snapshotPath.isEmpty() && (count > 0 || !after.now || !lost.isEmpty()))
         text.cure
             = Words::tr("The snapshot holds what was there before: compare, and restore it if need be.");
