@@ -330,10 +330,6 @@
         <translation>So enden Motoren, die dauernd schwer arbeiten.</translation>
     </message>
     <message>
-        <source>Soon the motors will lose their power.</source>
-        <translation>Bald haben die Motoren keinen Strom mehr.</translation>
-    </message>
-    <message>
         <source>Nobody sees where it moves.</source>
         <translation>Niemand sieht, wohin er sich bewegt.</translation>
     </message>
@@ -512,6 +508,10 @@
     <message>
         <source>The last live change was reverted (%1); it went on for a while after that.</source>
         <translation>Die letzte Live-Änderung wurde zurückgenommen (%1); danach ging es noch eine Weile weiter.</translation>
+    </message>
+    <message>
+        <source>When it is empty the motors let go, and what they hold falls.</source>
+        <translation>Ist er leer, lassen die Motoren los, und was sie halten, fällt.</translation>
     </message>
 </context>
 <context>
@@ -2862,6 +2862,10 @@
         <source>Nothing of it had been sent: the board holds the old values.</source>
         <translation>Davon war noch nichts gesendet: Das Board hat die alten Werte.</translation>
     </message>
+    <message>
+        <source>Whether it was carried out cannot be seen from that.</source>
+        <translation>Ob es ausgeführt wurde, ist daran nicht zu sehen.</translation>
+    </message>
 </context>
 <context>
     <name>FaceList</name>
@@ -4624,6 +4628,10 @@
     <message>
         <source>Keep your hands off the gimbal, or have the motors stopped (F12).</source>
         <translation>Lassen Sie die Hände vom Gimbal, oder stoppen Sie die Motoren (F12).</translation>
+    </message>
+    <message>
+        <source>The connection ended before the motors were seen to stop.</source>
+        <translation>Die Verbindung endete, bevor zu sehen war, dass die Motoren stehen.</translation>
     </message>
 </context>
 <context>
@@ -11193,7 +11201,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>2.9 V/cell</source>
-        <translation>2.9 V/cell</translation>
+        <translation>2.9 V/Zelle</translation>
     </message>
     <message>
         <source>20 Hz</source>
@@ -11213,7 +11221,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>3.0 V/cell</source>
-        <translation>3.0 V/cell</translation>
+        <translation>3.0 V/Zelle</translation>
     </message>
     <message>
         <source>3.0 ms</source>
@@ -11221,23 +11229,23 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>3.1 V/cell</source>
-        <translation>3.1 V/cell</translation>
+        <translation>3.1 V/Zelle</translation>
     </message>
     <message>
         <source>3.2 V/cell</source>
-        <translation>3.2 V/cell</translation>
+        <translation>3.2 V/Zelle</translation>
     </message>
     <message>
         <source>3.3 V/cell</source>
-        <translation>3.3 V/cell</translation>
+        <translation>3.3 V/Zelle</translation>
     </message>
     <message>
         <source>3.4 V/cell</source>
-        <translation>3.4 V/cell</translation>
+        <translation>3.4 V/Zelle</translation>
     </message>
     <message>
         <source>3.5 V/cell</source>
-        <translation>3.5 V/cell</translation>
+        <translation>3.5 V/Zelle</translation>
     </message>
     <message>
         <source>4 ms</source>
@@ -14206,6 +14214,10 @@ Auf dem Board: %1</translation>
     <message>
         <source>%1 is stored otherwise than it is used</source>
         <translation>%1 ist anders gespeichert als verwendet</translation>
+    </message>
+    <message>
+        <source>The link was gone when it was set: %1 is not in use. Set it again when the board is back.</source>
+        <translation>Als der Wert gesetzt wurde, war die Verbindung weg: %1 ist nicht in Gebrauch. Setzen Sie ihn noch einmal, wenn das Board wieder da ist.</translation>
     </message>
 </context>
 </TS>

@@ -117,9 +117,10 @@ QList<AlarmReport> Alarms::pressing() const
     std::copy_if(m_reports.begin(), m_reports.end(), std::back_inserter(list), [](const AlarmReport &report) {
         return !report.isOver || report.hasActed() || movedUnwanted(report.alarm);
     });
-    // What moves comes before what only wears out.
-    std::stable_sort(list.begin(), list.end(),
-                     [](const AlarmReport &a, const AlarmReport &b) { return a.alarm.kind < b.alarm.kind; });
+    // What goes on comes before what is over, and what moves before what only wears out.
+    std::stable_sort(list.begin(), list.end(), [](const AlarmReport &a, const AlarmReport &b) {
+        return std::pair(a.isOver, a.alarm.kind) < std::pair(b.isOver, b.alarm.kind);
+    });
     return list;
 }
 

@@ -61,6 +61,7 @@ void BoardWriter::write(const Configuration &wanted, OtherValues others)
         return;
     }
     m_writing = true;
+    m_notifications.settle(Concern::Writing);  // of the write before
     emit started();
     m_client
         .submit<WriteReport>([base = m_configuration.board(), wanted, history = m_history,

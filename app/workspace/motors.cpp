@@ -17,6 +17,7 @@ namespace {
 
 // Telemetry older than this says nothing about the present.
 constexpr auto kStale = 1500ms;
+constexpr auto kLastSamples = 500ms;
 // By then a board that has restarted drives its motors.
 constexpr auto kStartsWithin = 15s;
 
@@ -170,6 +171,11 @@ void Workspace::tellRunningOn(bool isRunning)
 void Workspace::settleMotors()
 {
     const std::optional<bool> running = motorsRunning();
+    // What was sent before the stop says nothing of it.
+    if (running == true
+        && (!m_stopProvenAt
+            || m_client.telemetry()->latestAt(roles().outputs) > *m_stopProvenAt + kLastSamples))
+        m_notifications.settle(Concern::Stopped);
     if (running == true && std::exchange(m_startUnanswered, false)) {
         m_notifications.settle(Concern::Start);
         m_notifications.notify(

@@ -435,9 +435,10 @@ void Notifications::onMotorsOff(bool confirmed)
         settle(Concern::Start);
         settle(Concern::Motors);
         settle(Concern::Steering);
-        notify(tr("The motors were switched off."));
+        notify(tr("The motors were switched off."), Notice::Done, Concern::Stopped);
         return;
     }
+    settle(Concern::Stopped);
     settle(Concern::Motors);  // what was told meanwhile
     reportMotorsMayRun(tr("The board did not confirm that the motors are off."));
 }

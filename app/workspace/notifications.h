@@ -38,6 +38,7 @@ enum class Concern {
     Recording,  ///< that is played
     Start,  ///< of motors, which may come yet
     Motors,  ///< that may still be running, or are yet to be stopped
+    Stopped,  ///< motors that were switched off, until they run again
     Steering,  ///< that may not have ended
     Standby,  ///< motors that stay disabled until the board restarts
     Writing,  ///< to the board's memory

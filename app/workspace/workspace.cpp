@@ -55,6 +55,12 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     });
     connect(&m_live, &LiveModel::changeCountChanged, this, &Workspace::unstoredChanged);
     connect(&m_live, &LiveModel::notTaken, this, &Workspace::tellNotTaken);
+    connect(&m_live, &LiveModel::setWithoutLink, this, [this](const LiveValues &values) {
+        m_notifications.notify(
+            tr("The link was gone when it was set: %1 is not in use. Set it again when the board is back.")
+                .arg(liveText(std::as_const(m_configuration).board(), values)),
+            Notice::Attention);
+    });
     // After those who began it have heard of its end.
     connect(&m_live, &LiveModel::heldChanged, this,
             [this] { QTimer::singleShot(0, this, &Workspace::readWhenFree); });

@@ -13,6 +13,8 @@
 #include "tests/support/named.h"
 #include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/liveslider.h"
+#include "widgets/forms/numberbox.h"
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/reviewdialog.h"
 #include "widgets/forms/valueeditor.h"
@@ -33,6 +35,7 @@ class TestAgreement : public QObject
 {
     Q_OBJECT
 private slots:
+    void typedIntoABrokenLinkIsTold();
     void cleanup();
     void storm_data();
     void storm();
@@ -570,6 +573,33 @@ void TestAgreement::simplebgc()
 {
     QVERIFY(openSimplebgc());
     agreeAfterEach();
+}
+
+// What was typed, and not entered yet when the link went, is not lost without a word.
+void TestAgreement::typedIntoABrokenLinkIsTold()
+{
+    m_rig = std::make_unique<WindowRig>();
+    QVERIFY(m_rig->open());
+    auto *page = m_rig->page<TuningPage>();
+    QTRY_VERIFY(m_rig->workspace().live().value(m_rig->spec(u"pid.pitch.p"_s).id));
+    auto *box = page->control(u"pid.pitch.p"_s)->editor()->findChild<NumberBox *>();
+    QVERIFY(box);
+    const QString before = box->typed();
+    box->setFocus();
+    box->selectAll();
+    QTest::keyClicks(box, u"77"_s);
+    QCOMPARE(box->typed(), u"77"_s);
+    m_rig->workspace().changeWorld(u"replug=2"_s);
+    m_rig->workspace().changeWorld(u"unplug=0"_s);
+    QTRY_VERIFY(m_rig->client().state() == DeviceClient::State::Reconnecting);
+    QTRY_VERIFY2(m_rig->window().messageBar()->text().contains(u"77"_s),
+                 qPrintable(m_rig->window().messageBar()->text()));
+    QTRY_VERIFY(m_rig->client().isConnected());
+    const auto shown = [page] {  // the page is made anew
+        const LiveSlider *control = page->control(u"pid.pitch.p"_s);
+        return control ? control->editor()->findChild<NumberBox *>()->typed() : QString();
+    };
+    QTRY_COMPARE(shown(), before);
 }
 
 QTEST_MAIN(TestAgreement)

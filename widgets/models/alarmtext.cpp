@@ -157,7 +157,8 @@ QString meant(const Alarm &alarm)
             "or it has too little power.");
     case AlarmKind::Sensor: return AlarmText::tr("Without it nothing is stabilised.");
     case AlarmKind::Heat: return AlarmText::tr("Motors that work hard all the time end like this.");
-    case AlarmKind::Battery: return AlarmText::tr("Soon the motors will lose their power.");
+    case AlarmKind::Battery:
+        return AlarmText::tr("When it is empty the motors let go, and what they hold falls.");
     case AlarmKind::Stale: return AlarmText::tr("Nobody sees where it moves.");
     case AlarmKind::Count: break;
     }

@@ -182,6 +182,8 @@ std::pair<double, double> LiveModel::range(int parameter) const
 
 void LiveModel::setValue(int parameter, double raw)
 {
+    if (!m_client.isConnected() && m_known.contains(parameter) && !sameValue(value(parameter), raw))
+        emit setWithoutLink({{spec(parameter).key, value(parameter).value_or(raw), raw}});
     if (!m_client.isConnected() || isHeld() || !m_known.contains(parameter))
         return;
     const auto [low, high] = range(parameter);

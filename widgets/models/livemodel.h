@@ -82,6 +82,8 @@ signals:
     void failed(const Error &error);
     /// The board was silent when these were sent, and uses others: `stored` is what it uses instead.
     void notTaken(const LiveValues &values);
+    /// There was no link when it was set: it is in use nowhere.
+    void setWithoutLink(const LiveValues &values);
     /// All that was asked for has reached the board: these parameters.
     void settled(const QList<int> &parameters);
 

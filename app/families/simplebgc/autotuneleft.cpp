@@ -14,8 +14,8 @@ void AutoTunePage::tellLeft(const Configuration &board, Left left)
         const ParameterSpec &spec = board.parameters().at(it.key());
         const auto now = board.raw(spec, board.activeProfile());
         if (now && !sameValue(*now, *it))
-            told.append(
-                u"%1 %2 → %3"_s.arg(spec.key, parameterValueText(spec, *it), parameterValueText(spec, *now)));
+            told.append(u"%1 %2 → %3"_s.arg(parameterLabel(spec), parameterValueText(spec, *it),
+                                            parameterValueText(spec, *now)));
     }
     if (told.isEmpty()) {
         m_before.clear();
