@@ -326,8 +326,6 @@ void Notifications::onState(DeviceClient::State state)
             reportMotorsMayRun(tr("The connection ended before the motors were seen to stop."));
         }
     }
-    if (state == DeviceClient::State::Connecting)
-        settle(Concern::Motors);  // of the connection before
     if (state != DeviceClient::State::Connected)
         return;
     m_leftDisabled = false;
