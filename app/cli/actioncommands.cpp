@@ -232,6 +232,8 @@ Result<CommandOutcome> ActionCommand::run(Channel &channel, Device &device)
     const auto texts = assignments(given());
     if (!texts)
         return tl::unexpected(texts.error());
+    if (const auto clear = checkClear(*action, *texts); !clear)
+        return tl::unexpected(clear.error());
     const auto arguments = parseArguments(*action, *texts);
     if (!arguments)
         return tl::unexpected(arguments.error());

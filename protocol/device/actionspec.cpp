@@ -40,15 +40,6 @@ Result<QVariant> parseArgument(const ArgumentSpec &argument, const QString &text
                 return QVariant(choice.value);
         }
         const int value = text.toInt(&ok, 0);
-        // "1" for "profile1", whose number is 0, would be another one.
-        for (const Choice &choice : argument.choices) {
-            const QString name = QLatin1String(choice.name);
-            if (ok && choice.value != value && name.endsWith(text)
-                && !name.chopped(text.size()).back().isDigit())
-                return failure(ErrorCode::InvalidArgument,
-                               u"%1=%2 may mean %3 or the number of another; give the name: %4"_s.arg(
-                                   key, text, name, choiceNames(argument)));
-        }
         for (const Choice &choice : argument.choices) {
             if (ok && choice.value == value)
                 return QVariant(value);
@@ -72,6 +63,27 @@ Result<QVariant> parseArgument(const ArgumentSpec &argument, const QString &text
 }
 
 }  // namespace
+
+Result<void> checkClear(const ActionSpec &action, const QMap<QString, QString> &texts)
+{
+    for (const ArgumentSpec &argument : action.arguments) {
+        const QString text = texts.value(QLatin1String(argument.key));
+        bool isNumber = false;
+        const int value = text.toInt(&isNumber);
+        const bool isName
+            = std::any_of(argument.choices.begin(), argument.choices.end(),
+                          [&text](const Choice &choice) { return text == QLatin1String(choice.name); });
+        for (const Choice &choice : argument.choices) {
+            const QString name = QLatin1String(choice.name);
+            if (isNumber && !isName && choice.value != value && name.endsWith(text)
+                && !name.chopped(text.size()).back().isDigit())
+                return failure(ErrorCode::InvalidArgument,
+                               u"%1=%2 may mean %3 or the number of another; give the name: %4"_s.arg(
+                                   QLatin1String(argument.key), text, name, choiceNames(argument)));
+        }
+    }
+    return {};
+}
 
 QString replyUnit(const ActionSpec &action, const QString &key)
 {

@@ -101,6 +101,10 @@ QString replyUnit(const ActionSpec &action, const QString &key);
 /// The action as it is with these arguments: risk, memory and answer follow the entry that was chosen.
 [[nodiscard]] ActionSpec chosenAction(const ActionSpec &action, const QVariantMap &arguments);
 
+/// Numbers that a person may mean otherwise than they count: "1" for "profile1", whose number is 0. Error:
+/// InvalidArgument with the names.
+Result<void> checkClear(const ActionSpec &action, const QMap<QString, QString> &texts);
+
 /// Checks texts against the specs and fills in defaults. Errors: InvalidArgument naming the argument, its
 /// type and range.
 Result<QVariantMap> parseArguments(const ActionSpec &action, const QMap<QString, QString> &texts);

@@ -41,7 +41,7 @@
 {
     // A board that told before and does not now may be starting, or still answer something else.
     std::optional<bool> run;
-    for (int tries = 0; tries < 4 && ranBefore && !run; ++tries)
+    for (int tries = 0; tries < 2 && ranBefore && !run; ++tries)
         run = askMotors(channel, device);
     return run == ranBefore ? std::nullopt : run;
 }

@@ -481,6 +481,10 @@ void TestCtl::destructiveTakesASnapshot()
     QCOMPARE(run.exitCode, 0);
     const QString path = run.err.section(u"snapshot: "_s, 1).section(u'\n', 0, 0);
     QVERIFY2(QFile::exists(path), qPrintable(run.err));
+    // Profiles count from one everywhere, the list of choices from zero.
+    const Run unclear = ctl({u"do"_s, u"defaults"_s, u"what=1"_s, u"--confirmed"_s});
+    QCOMPARE(unclear.exitCode, 2);
+    QVERIFY2(unclear.err.contains(u"profile1"_s), qPrintable(unclear.err));
 }
 
 void TestCtl::everyCommandSpeaksJson_data()
