@@ -158,14 +158,21 @@ std::vector<ParameterChange> changedSince(Channel &channel, Device &device, cons
     return changes;
 }
 
+Result<std::vector<AdjustableValue>> readAllInUse(Channel &channel, LiveAccess &live)
+{
+    QList<int> ids;
+    for (const AdjustableSpec &spec : live.adjustables())
+        ids.append(spec.id);
+    return live.readAdjustables(channel, ids);
+}
+
 // Storing changes nothing that is in use: where it has changed, the board has started anew, or switched its
 // profile, and what it has stored is not what was meant.
 Result<void> checkStillUsed(Channel &channel, Device &device, const std::vector<AdjustableValue> &before)
 {
-    QList<int> ids;
-    for (const AdjustableValue &value : before)
-        ids.append(value.id);
-    const auto now = device.live()->readAdjustables(channel, ids);
+    if (before.empty())
+        return {};
+    const auto now = readAllInUse(channel, *device.live());
     if (!now)
         return tl::unexpected(now.error());
     QHash<int, double> is;
@@ -350,10 +357,7 @@ Result<void> SafeAction::askBefore()
     if (m_action.memory == MemoryEffect::Stores && !m_memory && m_backup)
         m_tellsApart = !checkActiveStored(m_channel, m_device, m_backup->before);
     if (m_action.memory == MemoryEffect::Stores && !m_memory && m_device.live()) {
-        QList<int> ids;
-        for (const AdjustableSpec &spec : m_device.live()->adjustables())
-            ids.append(spec.id);
-        if (auto values = m_device.live()->readAdjustables(m_channel, ids))
+        if (auto values = readAllInUse(m_channel, *m_device.live()))
             m_valuesBefore = *std::move(values);
     }
     // What is erased stays in use; where a restart came in between, it does not.
