@@ -274,8 +274,8 @@
         <translation>Das Board meldet einen schwachen Akku: %1 V.</translation>
     </message>
     <message>
-        <source>No live data for more than %1 s while the gimbal is steered.</source>
-        <translation>Mehr als %1 s keine Live-Daten, während der Gimbal gesteuert wird.</translation>
+        <source>No new live data for more than %1 s while the gimbal is steered.</source>
+        <translation>Mehr als %1 s keine neuen Live-Daten, während der Gimbal gesteuert wird.</translation>
     </message>
     <message>
         <source>Each is driven by the other&apos;s error: the axes are swapped, in the wiring, in the motor outputs or in how the sensor is mounted. If they are not, both motors turn in the wrong direction.</source>
@@ -382,8 +382,8 @@
         <translation>Akku wechseln.</translation>
     </message>
     <message>
-        <source>Stop steering and check the link.</source>
-        <translation>Nicht weiter steuern und die Verbindung prüfen.</translation>
+        <source>Stop steering, then check the link and the board.</source>
+        <translation>Nicht weiter steuern, dann die Verbindung und das Board prüfen.</translation>
     </message>
     <message>
         <source>The motors were switched off.</source>

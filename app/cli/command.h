@@ -91,6 +91,9 @@ public:
     [[nodiscard]] QString wordMistake() const;
 
     [[nodiscard]] virtual bool needsBoard() const { return true; }
+    /// It moves the board: it is cancelled when the motors are switched off, and motion that nobody wanted or
+    /// saw is no success.
+    [[nodiscard]] virtual bool moves() const { return false; }
     /// Called before the client connects, for commands that must not miss anything.
     virtual void prepare(DeviceClient &) { }
     /// A board is connected; finished() or failed() follows.
@@ -144,8 +147,6 @@ public:
     void stop() override;
 
 protected:
-    /// A moving job is cancelled when the motors are switched off.
-    [[nodiscard]] virtual bool moves() const { return false; }
     /// Channels that must have a new value before it runs. It waits for them for two seconds, then runs all
     /// the same and finds them without values.
     [[nodiscard]] virtual QList<int> awaits(const Device &) const { return {}; }

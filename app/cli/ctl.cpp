@@ -290,6 +290,7 @@ std::optional<int> Ctl::connectToBoard(const QString &link, const QString &famil
             return;
         const QString text = describe(report, m_client->device()->parameters().get()).oneLine();
         m_alarms.append(text);
+        m_wasMovedUnwanted |= report.alarm.isUnwantedMotion();
         onTold(u"alarm: "_s + text);
     });
     auto *watcher = new SignalWatcher(this);
@@ -438,6 +439,8 @@ void Ctl::finish(const Result<CommandOutcome> &outcome)
     m_finished = true;
     CommandOutcome whole = *outcome;
     reportLeftOut(whole, m_leftOut, m_partial);
+    if (m_wasMovedUnwanted && m_command->moves() && whole.exitCode == Done)
+        whole.exitCode = Refused;
     if (!whole.note.isEmpty())
         onTold(whole.note);
     if (m_isNameless && !whole.json.toObject().value(u"snapshot"_s).toString().isEmpty())

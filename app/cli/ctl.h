@@ -58,6 +58,7 @@ private:
     std::unique_ptr<DeviceClient> m_client;
     bool m_isNameless = false;  // shares its history with boards that look the same
     QJsonArray m_alarms;  // that were told
+    bool m_wasMovedUnwanted = false;  // one of them says so
     QList<ReplayGap> m_leftOut;  // of the recording that is replayed
     bool m_partial = false;
     bool m_started = false;

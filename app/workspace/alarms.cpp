@@ -105,17 +105,11 @@ ErrorText Alarms::text(const AlarmReport &report) const
     return describe(report, set);
 }
 
-// The camera moved by itself, or nobody saw where it was steered: where it is now has to be looked at.
-static bool movedUnwanted(const Alarm &alarm)
-{
-    return (alarm.kind <= AlarmKind::Oscillation || alarm.kind == AlarmKind::Stale) && !alarm.mayBeMeant;
-}
-
 QList<AlarmReport> Alarms::pressing() const
 {
     QList<AlarmReport> list;
     std::copy_if(m_reports.begin(), m_reports.end(), std::back_inserter(list), [](const AlarmReport &report) {
-        return !report.isOver || report.hasActed() || movedUnwanted(report.alarm);
+        return !report.isOver || report.hasActed() || report.alarm.isUnwantedMotion();
     });
     // What goes on comes before what is over, and what moves before what only wears out.
     std::stable_sort(list.begin(), list.end(), [](const AlarmReport &a, const AlarmReport &b) {

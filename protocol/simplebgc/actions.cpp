@@ -307,7 +307,8 @@ Result<ActionReply> Actions::steer(const QVariantMap &arguments)
     if (!slept)
         return tl::unexpected(slept.error());
     if (!isSeen)
-        return failure(ErrorCode::NotSeen, u"neither the camera nor its target has turned"_s);
+        return failure(ErrorCode::NotSeen,
+                       u"as the board tells it, neither the camera nor its target has turned"_s);
     return isPlace ? there : readAngles({});
 }
 

@@ -66,6 +66,11 @@ struct Alarm
     bool isAfterChange = false;
     QString fault;  ///< BoardFault::key
 
+    /// The camera moved by itself, or nobody saw where it was steered: where it is now has to be looked at.
+    [[nodiscard]] bool isUnwantedMotion() const
+    {
+        return (kind <= AlarmKind::Oscillation || kind == AlarmKind::Stale) && !mayBeMeant;
+    }
     /// The same thing going on.
     [[nodiscard]] bool isSame(const Alarm &alarm) const
     {

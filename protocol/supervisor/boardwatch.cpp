@@ -139,10 +139,20 @@ void Supervisor::watchBoard(double now)
         m_steeringSince = -1;
     else if (m_steeringSince < 0)
         m_steeringSince = now;
-    const double silent = now - std::max(m_lastSample, m_steeringSince);
-    const double patience = std::max(kStaleTime, kStalePeriods * m_situation.period);
-    if (m_situation.isSteered && silent > patience)
-        tell(AlarmKind::Stale, silent, patience);
+    const double unseen = now - std::max(lastSeen(), m_steeringSince);
+    if (m_situation.isSteered && unseen > patience())
+        tell(AlarmKind::Stale, unseen, patience());
+}
+
+double Supervisor::patience() const
+{
+    return std::max(kStaleTime, kStalePeriods * m_situation.period);
+}
+
+double Supervisor::lastSeen() const
+{
+    const double last = m_situation.tellsMotion ? m_lastMotion : m_lastSample;
+    return std::min(last, m_situation.unchangedSince.value_or(last));
 }
 
 bool Supervisor::isOver(const Alarm &alarm, double now) const
@@ -169,7 +179,7 @@ bool Supervisor::isOver(const Alarm &alarm, double now) const
             && !(m_battery > kNoBatteryVolts
                  && m_battery < lowBattery(m_cells, m_rules.cellVolts, m_rules.battery).value_or(0.0)
                          + m_cells * kCellRise);
-    case AlarmKind::Stale: return !m_situation.isSteered || now - m_lastSample < kStaleTime;
+    case AlarmKind::Stale: return !m_situation.isSteered || now - lastSeen() <= patience();
     case AlarmKind::Count: break;
     }
     return true;

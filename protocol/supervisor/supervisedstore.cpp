@@ -102,6 +102,11 @@ SupervisedSituation SupervisedStore::situation()
         return channel < 0 ? SupervisedSample::kNone : double(m_store->latest(channel));
     };
     SupervisedSituation now;
+    const TimePoint clock = Clock::now();
+    m_change.look(m_store.get(), clock);
+    if (const auto since = m_change.unchangedSince(*m_store, clock))
+        now.unchangedSince = m_store->secondsAt(*since);
+    now.tellsMotion = !ChannelRoles::present({m_roles.angle, m_roles.gyro}).isEmpty();
     if (const StatusWords *words = m_device->statusWords(); words && m_roles.state >= 0) {
         const double state = latest(m_roles.state);
         now.isStabilising = !std::isnan(state) && words->isStabilising(int(state));

@@ -5,6 +5,7 @@
 #include "protocol/configuration/configuration.h"
 #include "protocol/device/device.h"
 #include "protocol/supervisor/supervisor.h"
+#include "protocol/telemetry/changewatch.h"
 #include "protocol/telemetry/telemetrystore.h"
 
 #include <functional>
@@ -19,7 +20,8 @@ public:
     /// What is there already is past.
     void skip();
     void feed(Supervisor &supervisor);
-    /// What the board reports, and when its values were changed live; the rest is left as it is at first.
+    /// What the board reports, whether its data repeat themselves, and when its values were changed live; the
+    /// rest is left as it is at first. To be called some times per second.
     [[nodiscard]] SupervisedSituation situation();
     [[nodiscard]] double now() const { return m_store->now(); }
 
@@ -48,5 +50,6 @@ private:
     double m_bits = -1;  // of the faults, and their detail, when their keys were looked up
     double m_detail = -1;
     QStringList m_faults;
+    ChangeWatch m_change;
     Configuration m_nothing;  // only the status counts here
 };

@@ -75,6 +75,12 @@ bool isKnown(double value)
     return !std::isnan(value);
 }
 
+bool tellsMotion(const SupervisedSample &sample)
+{
+    return std::any_of(sample.angle.begin(), sample.angle.end(), isKnown)
+        || std::any_of(sample.rate.begin(), sample.rate.end(), isKnown);
+}
+
 }  // namespace
 
 bool Supervisor::Lasting::holds(bool is, double now, double duration)
@@ -124,10 +130,12 @@ void Supervisor::interrupt()
 
 void Supervisor::add(const SupervisedSample &sample)
 {
-    if (m_lastSample >= 0
-        && sample.time - m_lastSample > std::max(kStaleTime, kStalePeriods * m_situation.period))
-        interrupt();
     m_lastSample = std::max(m_lastSample, sample.time);
+    if (tellsMotion(sample)) {
+        if (m_lastMotion >= 0 && sample.time - m_lastMotion > patience())
+            interrupt();
+        m_lastMotion = std::max(m_lastMotion, sample.time);
+    }
     if (isKnown(sample.outputs)) {
         const bool was = m_outputs > 0;
         m_outputs = sample.outputs;

@@ -48,6 +48,10 @@ struct SupervisedSituation
     std::array<std::optional<bool>, kAxisCount> follows{};  ///< its frame
     std::array<std::optional<bool>, kAxisCount> isDriven{};
     double period = 0;  ///< expected time between samples in seconds; 0: not known
+    /// The board has channels for angles or rates: what else it tells does not show how it moves.
+    bool tellsMotion = false;
+    /// Since when the samples repeat themselves, in their seconds; empty: they do not.
+    std::optional<double> unchangedSince;
     QStringList faults;  ///< keys of what the board reports (BoardFault::key)
     /// The board tells its faults, if it has any.
     bool tellsFaults = false;
@@ -169,6 +173,10 @@ private:
     /// The same, and the board holds what it stabilises.
     [[nodiscard]] bool isHolding(double time) const;
     [[nodiscard]] bool isChangedSince(double time) const;
+    /// Seconds without data that are no pause yet.
+    [[nodiscard]] double patience() const;
+    /// When it was told last how the camera moves.
+    [[nodiscard]] double lastSeen() const;
     [[nodiscard]] bool isOver(const Alarm &alarm, double now) const;
     void raise(const Alarm &alarm);
     [[nodiscard]] bool isActive(AlarmKind kind, Axis axis) const;
@@ -185,6 +193,7 @@ private:
     double m_steeredAt = -1e9;  // by this program or from outside
     double m_busyAt = -1e9;  // a procedure ran
     double m_lastSample = -1;
+    double m_lastMotion = -1;  // that told an angle or a rate
     double m_steeringSince = -1;
     double m_battery = SupervisedSample::kNone;
     int m_cells = 0;

@@ -64,6 +64,8 @@ private slots:
     void steeringEndsWithTheCommand_data();
     void steeringEndsWithTheCommand();
     void silenceWhileSteeringIsTold();
+    void steeringUnseenIsNoSuccess_data();
+    void steeringUnseenIsNoSuccess();
     void alarmsAreToldAndActedOn_data();
     void alarmsAreToldAndActedOn();
 
@@ -781,6 +783,29 @@ void TestCtlFaults::silenceWhileSteeringIsTold()
     QCOMPARE(run.exitCode, 1);
     QVERIFY2(run.err.contains(u"may go on moving"_s) && run.err.contains(u"motors off"_s),
              qPrintable(run.err));
+}
+
+void TestCtlFaults::steeringUnseenIsNoSuccess_data()
+{
+    QTest::addColumn<QString>("firmware");
+    QTest::newRow("its stamps stand still") << u"2.59"_s;
+    QTest::newRow("its values stand still") << u"2.40"_s;
+}
+
+// It answers all the time, and what it tells is old.
+void TestCtlFaults::steeringUnseenIsNoSuccess()
+{
+    QFETCH(QString, firmware);
+    SimProcess simulator({u"--tcp"_s, u"0"_s, u"--firmware"_s, firmware});
+    Running running(m_dir->path(),
+                    {u"--link"_s, simulator.address(), u"--json"_s, u"do"_s, u"steer"_s, u"mode=angle"_s,
+                     u"yaw=0"_s, u"seconds=15"_s});
+    QTRY_VERIFY2(running.told().contains(u"steer"_s, Qt::CaseInsensitive), qPrintable(running.told()));
+    simulator.process().write("frozen=1\n");
+    const Run run = running.finish();
+    const QString told = u"alarm: No new live data"_s;
+    QVERIFY2(run.exitCode == 1 && run.err.contains(told), qPrintable(run.err));
+    QVERIFY2(!run.json().value(u"alarms"_s).toArray().isEmpty(), qPrintable(run.out));
 }
 
 void TestCtlFaults::alarmsAreToldAndActedOn_data()

@@ -114,7 +114,8 @@ void TestSupervision::cleanup()
 void TestSupervision::open(const QString &address)
 {
     static int seed = 100;
-    m_address = LinkAddress::parse(u"%1?seed=%2"_s.arg(address).arg(++seed)).value();
+    const QChar separator = address.contains(u'?') ? u'&' : u'?';
+    m_address = LinkAddress::parse(u"%1%2seed=%3"_s.arg(address).arg(separator).arg(++seed)).value();
     m_client->connectTo(m_address);
     QTRY_VERIFY(m_client->isConnected());
     subscribe();
@@ -422,7 +423,11 @@ void TestSupervision::steeredBoardsAreWatched_data()
             << u"sim:"_s + family << u"swapped-axes=1"_s << AlarmKind::Runaway;
         QTest::addRow("%s, blocked", qPrintable(family))
             << u"sim:"_s + family << u"blocked=2"_s << AlarmKind::Saturation;
+        QTest::addRow("%s, frozen data", qPrintable(family))
+            << u"sim:"_s + family << u"frozen=1"_s << AlarmKind::Stale;
     }
+    QTest::addRow("simplebgc without streams, frozen data")
+        << u"sim:simplebgc?firmware=2.40"_s << u"frozen=1"_s << AlarmKind::Stale;
 }
 
 // While this program steers, a board without targets is judged by what it is steered to.

@@ -189,6 +189,9 @@ private slots:
     void heatIsTold();
     void limitIsTold();
     void staleDataAreToldWhileSteering();
+    void whatTellsNoMotionIsStale_data();
+    void whatTellsNoMotionIsStale();
+    void slowDataAreNotStale();
     void alarmIsOverAndToldAgain();
     void boardsOwnVoltageCounts();
     void whatABoardLacksIsNotWatched();
@@ -588,6 +591,71 @@ void TestSupervisor::staleDataAreToldWhileSteering()
     QCOMPARE(alarms.size(), 1U);
     QCOMPARE(alarms.front().kind, AlarmKind::Stale);
     QVERIFY(alarms.front().time > 6.45 && alarms.front().time < 6.7);
+}
+
+// Status that goes on, and values that come again and again, do not show how the camera moves.
+void TestSupervisor::whatTellsNoMotionIsStale_data()
+{
+    QTest::addColumn<bool>("repeats");
+    QTest::newRow("only status comes") << false;
+    QTest::newRow("the same values come") << true;
+}
+
+void TestSupervisor::whatTellsNoMotionIsStale()
+{
+    QFETCH(bool, repeats);
+    Supervisor supervisor;
+    std::vector<Alarm> alarms;
+    int ended = 0;
+    SupervisedSituation situation;
+    situation.period = 0.02;
+    situation.tellsMotion = true;
+    situation.isSteered = true;
+    for (double time = 0; time < 20; time += 0.02) {
+        const bool isFrozen = time > 5 && time < 12;
+        situation.unchangedSince = repeats && isFrozen && time > 10 ? std::optional(5.0) : std::nullopt;
+        supervisor.setSituation(situation);
+        SupervisedSample status;
+        status.time = time;
+        status.battery = 12.3;
+        supervisor.add(status);
+        if (repeats || !isFrozen)
+            supervisor.add(sampleOf(time, 0, 0));
+        supervisor.look(time);
+        for (const Alarm &alarm : supervisor.takeRaised())
+            alarms.push_back(alarm);
+        ended += int(supervisor.takeEnded().size());
+    }
+    QCOMPARE(alarms.size(), 1U);
+    QCOMPARE(alarms.front().kind, AlarmKind::Stale);
+    const double told = repeats ? 10.0 : 5.5;
+    QVERIFY(alarms.front().time > told && alarms.front().time < told + 0.2);
+    QCOMPARE(ended, 1);
+}
+
+// A slow board's data are not late as long as they come as often as they were arranged.
+void TestSupervisor::slowDataAreNotStale()
+{
+    Supervisor supervisor;
+    int raised = 0;
+    int ended = 0;
+    SupervisedSituation situation;
+    situation.period = 1.0;
+    situation.tellsMotion = true;
+    situation.isSteered = true;
+    supervisor.setSituation(situation);
+    double next = 0;
+    for (double time = 0; time < 40; time += 0.02) {
+        if (time >= next && (time < 10 || time > 20)) {
+            supervisor.add(sampleOf(time, 0, 0));
+            next = time + 1.0;
+        }
+        supervisor.look(time);
+        raised += int(supervisor.takeRaised().size());
+        ended += int(supervisor.takeEnded().size());
+    }
+    QCOMPARE(raised, 1);
+    QCOMPARE(ended, 1);
 }
 
 void TestSupervisor::alarmIsOverAndToldAgain()

@@ -97,7 +97,7 @@ QString seen(const Alarm &alarm)
                   .arg(numberText(alarm.value, 1), numberText(alarm.limit, 1))
             : AlarmText::tr("The board reports a low battery: %1 V.").arg(numberText(alarm.value, 1));
     case AlarmKind::Stale:
-        return AlarmText::tr("No live data for more than %1 s while the gimbal is steered.")
+        return AlarmText::tr("No new live data for more than %1 s while the gimbal is steered.")
             .arg(numberText(alarm.value, 1));
     case AlarmKind::Count: break;
     }
@@ -194,7 +194,7 @@ QString cure(const Alarm &alarm)
         return AlarmText::tr("Check the sensor's cable and connectors, then restart the board.");
     case AlarmKind::Heat: return AlarmText::tr("Let it cool, balance the load, and lower the power.");
     case AlarmKind::Battery: return AlarmText::tr("Change the battery.");
-    case AlarmKind::Stale: return AlarmText::tr("Stop steering and check the link.");
+    case AlarmKind::Stale: return AlarmText::tr("Stop steering, then check the link and the board.");
     case AlarmKind::Count: break;
     }
     return {};
