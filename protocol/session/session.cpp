@@ -305,15 +305,17 @@ void Session::onFrame(const FrameView &frame)
         m_stop.telemetryArrived(*m_latest);
 }
 
-// If each frame is answered, it takes its turn: a set-point is skipped while the previous one is unanswered,
-// because the next one is newer. It is also skipped while the answer to an earlier request may still come:
-// waiting in the queue it would hold up what is behind it. Frames that end the steering are never skipped.
+// A set-point is skipped where it would have to wait, because the next one is newer: on a slow line it would
+// pile up and hold up a stop. If each frame is answered, it takes its turn, and is skipped while the previous
+// one is unanswered, and while the answer to an earlier request may still come: waiting in the queue it would
+// hold up what is behind it. Frames that end the steering are never skipped.
 void Session::sendControl(const QByteArray &frame, TimePoint now)
 {
     if (frame.isEmpty())
         return;
     if (!m_control.answer()) {
-        m_queue.sendUnanswered(frame, now);
+        if (!m_control.isStreaming() || !m_queue.isCrowded(now))
+            m_queue.sendUnanswered(frame, now);
         return;
     }
     if (m_control.isStreaming() && (m_controlAsked || m_queue.isHeld(m_control.kind())))

@@ -231,6 +231,12 @@ void TransactionQueue::learnLateness(const StaleReply &come, TimePoint now)
     }
 }
 
+bool TransactionQueue::isCrowded(TimePoint now) const
+{
+    const bool isNext = !m_waiting.empty() && !normalInFlight() && !isFirstHeld();
+    return m_untaken > 0 || m_lineFreeAt > now || (isNext && m_pauseUntil > now);
+}
+
 bool TransactionQueue::isHeld(int kind) const
 {
     return std::any_of(m_staleReplies.begin(), m_staleReplies.end(),

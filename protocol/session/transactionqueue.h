@@ -52,6 +52,9 @@ public:
     [[nodiscard]] std::size_t count() const { return m_waiting.size() + m_inFlight.size(); }
     /// From when on a normal request would go out at once; empty while others are before it.
     [[nodiscard]] std::optional<TimePoint> readyAt() const;
+    /// What is sent now would pile up behind bytes that have not left yet, or hold up a request that waits
+    /// for nothing but the pause before it.
+    [[nodiscard]] bool isCrowded(TimePoint now) const;
     /// True when a normal request of this kind would wait because an answer to an earlier one may still come.
     [[nodiscard]] bool isHeld(int kind) const;
     /// Time between the last byte sent and the answer of the newest request; empty while it stays without

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 using namespace Qt::StringLiterals;
 
@@ -74,6 +75,8 @@ private slots:
     void reactionFollowsTheChange_data();
     void reactionFollowsTheChange();
     void whatDiesAwayIsToldToBeQuiet();
+    void newStreamsAreNoSilence_data();
+    void newStreamsAreNoSilence();
     void steeredBoardsAreWatched_data();
     void steeredBoardsAreWatched();
     void whatIsNotWatchedIsNamed_data();
@@ -86,12 +89,15 @@ private:
     /// Runs code on the worker and waits for its end.
     template <typename T> Result<T> ask(std::function<Result<T>(Channel &, Device &)> job);
     double inUse(int variable);
+    /// A setpoint by angle that holds it; see m_pitch.
+    SteeringSetpoint whereItIs();
 
     std::unique_ptr<DeviceClient> m_client;
     std::unique_ptr<SentWatch> m_sent;
     QList<AlarmReport> m_reports;
     Links m_links = allLinks();
     LinkAddress m_address;
+    int m_pitch = -1;  // which of its inputs turns that axis
 };
 
 void TestSupervision::init()
@@ -413,6 +419,50 @@ void TestSupervision::whatDiesAwayIsToldToBeQuiet()
     QCOMPARE(m_reports.last().outcome, AlarmOutcome::Done);
 }
 
+SteeringSetpoint TestSupervision::whereItIs()
+{
+    const Steering *steering = m_client->device()->steering();
+    const auto modes = steering->modes();
+    const auto byAngle = std::find_if(modes.begin(), modes.end(), std::mem_fn(&SteeringMode::isPositional));
+    if (byAngle == modes.end() || byAngle->inputOf(Axis::Pitch) < 0)
+        qFatal("pitch cannot be steered by angle");
+    m_pitch = byAngle->inputOf(Axis::Pitch);
+    SteeringSetpoint wanted
+        = steering->holdingSetpoint(byAngle->id, *m_client->telemetry(), SteeredBefore::Never);
+    for (double &input : wanted.inputs)
+        input = std::isnan(input) ? 0.0 : input;
+    return wanted;
+}
+
+void TestSupervision::newStreamsAreNoSilence_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::newRow("streams") << u"sim:simplebgc"_s;
+    QTest::newRow("asked for") << u"sim:simplebgc?firmware=2.40"_s;
+    QTest::newRow("slow line") << u"sim:simplebgc?rate=9600"_s;
+    QTest::newRow("STorM32") << u"sim:storm32"_s;
+}
+
+// Another page wants other channels while the gimbal is steered.
+void TestSupervision::newStreamsAreNoSilence()
+{
+    QFETCH(QString, address);
+    open(address);
+    QVERIFY(isStabilising());
+    const SteeringSetpoint wanted = whereItIs();
+    QTimer repeat;
+    connect(&repeat, &QTimer::timeout, this, [&] { m_client->setControl(wanted); });
+    repeat.start(50);
+    for (int i = 0; i < 8; ++i) {
+        const std::array<int, 3> &more = i % 2 ? m_client->roles().motorPower : m_client->roles().gyro;
+        m_client->subscribe({.channels = ChannelRoles::present({m_client->roles().angle, more}),
+                             .rate = i % 4 < 2 ? 10.0 : 100.0});
+        QVERIFY(boardGoesOn(*m_client, 0.8));
+    }
+    m_client->releaseControl();
+    QVERIFY2(m_reports.isEmpty(), qPrintable(QString::number(int(m_reports.value(0).alarm.kind))));
+}
+
 void TestSupervision::steeredBoardsAreWatched_data()
 {
     QTest::addColumn<QString>("address");
@@ -438,19 +488,7 @@ void TestSupervision::steeredBoardsAreWatched()
     QFETCH(AlarmKind, kind);
     open(address);
     QVERIFY(isStabilising());
-    const Steering *steering = m_client->device()->steering();
-    const SteeringMode *byAngle = nullptr;
-    for (const SteeringMode &mode : steering->modes()) {
-        if (mode.isPositional() && !byAngle)
-            byAngle = &mode;
-    }
-    QVERIFY(byAngle);
-    SteeringSetpoint wanted
-        = steering->holdingSetpoint(byAngle->id, *m_client->telemetry(), SteeredBefore::Never);
-    const int pitch = byAngle->inputOf(Axis::Pitch);
-    QVERIFY(pitch >= 0 && !wanted.inputs.empty());
-    for (double &input : wanted.inputs)
-        input = std::isnan(input) ? 0.0 : input;
+    SteeringSetpoint wanted = whereItIs();
     QTimer repeat;
     connect(&repeat, &QTimer::timeout, this, [&] { m_client->setControl(wanted); });
     repeat.start(50);
@@ -458,7 +496,7 @@ void TestSupervision::steeredBoardsAreWatched()
     QVERIFY(m_reports.isEmpty());
     QVERIFY(m_links.changeWorld(m_address, fault));
     if (kind == AlarmKind::Saturation)
-        wanted.inputs[std::size_t(pitch)] += 18;
+        wanted.inputs[std::size_t(m_pitch)] += 18;
     QTRY_VERIFY(!m_reports.isEmpty());
     QCOMPARE(m_reports.first().alarm.kind, kind);
     if (kind == AlarmKind::Saturation)

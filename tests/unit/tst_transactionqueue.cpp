@@ -102,6 +102,8 @@ private slots:
     void controlStreamRepeatsAndStops();
     void controlStreamDeadMan();
     void controlStreamEndsOnPurpose();
+    void setpointsLeaveRoom_data();
+    void setpointsLeaveRoom();
 };
 
 void TestTransactionQueue::oneRequestInFlight()
@@ -446,6 +448,50 @@ void TestTransactionQueue::controlStreamEndsOnPurpose()
     stream.refresh({"go", "stop", "free"}, now);
     stream.drop();
     QVERIFY(!stream.advance(now + 1s));
+}
+
+void TestTransactionQueue::setpointsLeaveRoom_data()
+{
+    QTest::addColumn<int>("baud");
+    QTest::addColumn<int>("fewest");  // set-points per second beside requests
+    QTest::newRow("9600") << 9600 << 12;
+    QTest::newRow("19200") << 19200 << 20;
+    QTest::newRow("115200") << 115200 << 40;
+    QTest::newRow("without a rate") << 0 << 40;
+}
+
+// Steering takes what is left of a slow line: requests go out, and nothing piles up before a stop.
+void TestTransactionQueue::setpointsLeaveRoom()
+{
+    QFETCH(int, baud);
+    QFETCH(int, fewest);
+    Bench bench;
+    bench.queue.setPause(10ms);
+    if (baud > 0)
+        bench.queue.setLine(LineSettings{baud, Parity::None});
+    ControlStream stream;
+    int setpoints = 0;
+    int answered = 0;
+    for (int ms = 0; ms < 4000; ++ms) {
+        stream.refresh({QByteArray(20, 's'), "stop", "free"}, bench.now);
+        while (const auto frame = stream.advance(bench.now)) {
+            if (bench.queue.isCrowded(bench.now))
+                continue;
+            bench.queue.sendUnanswered(*frame, bench.now);
+            ++setpoints;
+        }
+        if (bench.queue.isIdle())
+            bench.submit(request(u"abcdefgh"_s, 1, false));
+        bench.pass(1ms);
+        if (ms % 40 == 39)
+            answered += int(bench.arrive(1));
+    }
+    QVERIFY2(setpoints >= 4 * fewest, qPrintable(QString::number(setpoints)));
+    QVERIFY2(answered > 40, qPrintable(QString::number(answered)));
+    // The line is free as soon as the last frames have left.
+    bench.arrive(1);
+    bench.pass(50ms);
+    QVERIFY(!bench.queue.isCrowded(bench.now));
 }
 
 QTEST_APPLESS_MAIN(TestTransactionQueue)

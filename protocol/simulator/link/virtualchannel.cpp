@@ -129,7 +129,7 @@ void VirtualChannel::step()
     if (m_framer->isWaiting() && now() - m_lastArrival > m_framer->gap())
         m_framer->flush(m_sink);
     while (const auto frame = m_control.advance(now(), m_latest.get())) {
-        if (!frame->isEmpty())
+        if (!frame->isEmpty() && (!m_control.isStreaming() || !m_queue.isCrowded(now())))
             m_queue.sendUnanswered(*frame, now());
         if (const Request *question = m_control.question(); question && !std::exchange(m_isAsking, true)) {
             m_queue.submit(
