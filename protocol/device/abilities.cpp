@@ -71,19 +71,24 @@ bool LiveAccess::isChanging() const
     return m_open.isRunning || !m_open.before.empty();
 }
 
-bool LiveAccess::noteChangesBy(Channel &channel, const std::function<bool()> &job)
+Result<std::vector<AdjustableValue>> LiveAccess::readAllAdjustables(Channel &channel)
 {
     QList<int> ids;
     for (const AdjustableSpec &spec : adjustables())
         ids.append(spec.id);
-    const auto before = readAdjustables(channel, ids);
+    return readAdjustables(channel, ids);
+}
+
+bool LiveAccess::noteChangesBy(Channel &channel, const std::function<bool()> &job)
+{
+    const auto before = readAllAdjustables(channel);
     const auto setOpen = [this](OpenChange open) {
         const std::lock_guard lock(m_mutex);
         m_open = std::move(open);
     };
     setOpen({true, before ? *before : std::vector<AdjustableValue>()});
     const bool done = job();
-    const auto after = before ? readAdjustables(channel, ids) : before;
+    const auto after = before ? readAllAdjustables(channel) : before;
     // What cannot be read stays open; a board that never tells has nothing to go back to.
     setOpen(before && !after ? OpenChange{false, *before} : OpenChange());
     if (!before || !after)

@@ -84,6 +84,8 @@ public:
     virtual ~LiveAccess() = default;
     [[nodiscard]] virtual std::span<const AdjustableSpec> adjustables() const = 0;
     virtual Result<std::vector<AdjustableValue>> readAdjustables(Channel &channel, const QList<int> &ids) = 0;
+    /// What is in use of all of them.
+    Result<std::vector<AdjustableValue>> readAllAdjustables(Channel &channel);
     /// Proven by reading back. Errors: those of checkAdjustable(), before anything is written; NotInUse with
     /// what the board uses instead. What was in use before is noted first.
     Result<void> writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values);

@@ -158,21 +158,13 @@ std::vector<ParameterChange> changedSince(Channel &channel, Device &device, cons
     return changes;
 }
 
-Result<std::vector<AdjustableValue>> readAllInUse(Channel &channel, LiveAccess &live)
-{
-    QList<int> ids;
-    for (const AdjustableSpec &spec : live.adjustables())
-        ids.append(spec.id);
-    return live.readAdjustables(channel, ids);
-}
-
 // Storing changes nothing that is in use: where it has changed, the board has started anew, or switched its
 // profile, and what it has stored is not what was meant.
 Result<void> checkStillUsed(Channel &channel, Device &device, const std::vector<AdjustableValue> &before)
 {
     if (before.empty())
         return {};
-    const auto now = readAllInUse(channel, *device.live());
+    const auto now = device.live()->readAllAdjustables(channel);
     if (!now)
         return tl::unexpected(now.error());
     QHash<int, double> is;
@@ -357,7 +349,7 @@ Result<void> SafeAction::askBefore()
     if (m_action.memory == MemoryEffect::Stores && !m_memory && m_backup)
         m_tellsApart = !checkActiveStored(m_channel, m_device, m_backup->before);
     if (m_action.memory == MemoryEffect::Stores && !m_memory && m_device.live()) {
-        if (auto values = readAllInUse(m_channel, *m_device.live()))
+        if (auto values = m_device.live()->readAllAdjustables(m_channel))
             m_valuesBefore = *std::move(values);
     }
     // What is erased stays in use; where a restart came in between, it does not.

@@ -21,6 +21,27 @@ constexpr double kSlowHz = 2.5;
 
 }  // namespace
 
+QSet<AlarmKind> Supervisor::possible(const ChannelRoles &roles)
+{
+    const auto any = [](const std::array<int, 3> &channels) {
+        return std::any_of(channels.begin(), channels.end(), [](int channel) { return channel >= 0; });
+    };
+    QSet<AlarmKind> kinds{AlarmKind::Stale};
+    if (any(roles.angle))
+        kinds.insert(AlarmKind::Runaway);
+    if (any(roles.gyro))
+        kinds.insert(AlarmKind::Oscillation);
+    if (any(roles.angle) && any(roles.target))
+        kinds += {AlarmKind::Saturation, AlarmKind::Limit};
+    if (roles.faults >= 0)
+        kinds.insert(AlarmKind::Sensor);
+    if (roles.temperature >= 0 || any(roles.motorTemperature))
+        kinds.insert(AlarmKind::Heat);
+    if (roles.battery >= 0)
+        kinds.insert(AlarmKind::Battery);
+    return kinds;
+}
+
 // What comes as well as what does not is told by the samples, not by what was asked for.
 std::vector<Unwatched> Supervisor::unwatched(const QSet<AlarmKind> &possible, double now) const
 {

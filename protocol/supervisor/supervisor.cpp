@@ -94,27 +94,6 @@ bool Supervisor::Lasting::holds(bool is, double now, double duration)
     return now - since >= duration;
 }
 
-QSet<AlarmKind> Supervisor::possible(const ChannelRoles &roles)
-{
-    const auto any = [](const std::array<int, 3> &channels) {
-        return std::any_of(channels.begin(), channels.end(), [](int channel) { return channel >= 0; });
-    };
-    QSet<AlarmKind> kinds{AlarmKind::Stale};
-    if (any(roles.angle))
-        kinds.insert(AlarmKind::Runaway);
-    if (any(roles.gyro))
-        kinds.insert(AlarmKind::Oscillation);
-    if (any(roles.angle) && any(roles.target))
-        kinds += {AlarmKind::Saturation, AlarmKind::Limit};
-    if (roles.faults >= 0)
-        kinds.insert(AlarmKind::Sensor);
-    if (roles.temperature >= 0 || any(roles.motorTemperature))
-        kinds.insert(AlarmKind::Heat);
-    if (roles.battery >= 0)
-        kinds.insert(AlarmKind::Battery);
-    return kinds;
-}
-
 void Supervisor::interrupt()
 {
     for (AxisState &state : m_axes) {
