@@ -387,8 +387,8 @@ void StatusStrip::refresh()
                        + (thinned.isEmpty() ? QString() : u'\n' + thinned));
     if (damaged > 0)
         text += u" · "_s + tr("%1 damaged").arg(damaged);
-    if (link.roundTrip)
-        text += u" · "_s + tr("%1 ms").arg(numberText(seconds(*link.roundTrip) * 1000, 1));
+    if (const auto time = m_workspace.freshness().answerTime())
+        text += u" · "_s + tr("%1 ms").arg(numberText(seconds(*time) * 1000, 1));
     // The colour shows the present state; the numbers cover the whole connection.
     if (damaged + lost != m_lastBad) {
         m_lastBad = damaged + lost;

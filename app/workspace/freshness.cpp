@@ -3,6 +3,7 @@
 #include "app/workspace/freshness.h"
 
 #include "protocol/client/replaycontrol.h"
+#include "protocol/session/linkstatistics.h"
 #include "protocol/telemetry/telemetryplan.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "protocol/transport/linkaddress.h"
@@ -117,6 +118,11 @@ std::optional<QDateTime> Freshness::frozenSince() const
         && since->msecsTo(QDateTime::currentDateTime()) >= qint64(kRepeatedSeconds * 1000.0))
         return since;
     return unchangedSince();
+}
+
+std::optional<Duration> Freshness::answerTime() const
+{
+    return staleSince() ? std::nullopt : m_client.statistics().roundTrip;
 }
 
 std::optional<QDateTime> Freshness::silentSince() const

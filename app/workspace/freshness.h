@@ -24,6 +24,9 @@ public:
     /// since; empty while they are live, and for recordings. @param channels none = all
     [[nodiscard]] std::optional<QDateTime> staleSince(const QList<int> &channels = {}) const;
 
+    /// Of the newest answer; empty while nothing comes, because it is old then.
+    [[nodiscard]] std::optional<Duration> answerTime() const;
+
     /// A recording that was played to its end: what is shown is its last state.
     [[nodiscard]] bool hasPlayed() const;
 

@@ -353,8 +353,8 @@ void DashboardPage::refreshLink()
     row(tr("Unanswered"), QString::number(link.timeouts));
     row(tr("Frames received"), tr("%1 per second").arg(numberText(link.framesPerSecond, 0)));
     row(tr("Damaged frames"), QString::number(link.framing.headerErrors + link.framing.bodyErrors));
-    row(tr("Answer time"),
-        link.roundTrip ? tr("%1 ms").arg(numberText(seconds(*link.roundTrip) * 1000, 1)) : u"–"_s);
+    const auto time = workspace().freshness().answerTime();
+    row(tr("Answer time"), time ? tr("%1 ms").arg(numberText(seconds(*time) * 1000, 1)) : u"–"_s);
     m_link->setText(u"<table width='100%'>%1</table>"_s.arg(rows.join(QString())));
 }
 
