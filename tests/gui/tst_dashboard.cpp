@@ -160,6 +160,20 @@ void TestDashboard::batteryHasCellsAndThresholds()
     view.setThresholds(10.5, 9.9, false);
     view.setVolts(volts);
     QCOMPARE(view.state(), state);
+    // The figure has its colour.
+    view.resize(300, 90);
+    const QImage picture = view.grab().toImage();
+    const auto drawn = [&picture, &theme](ColorRole role) {
+        int count = 0;
+        for (int y = 0; y < picture.height() / 3; ++y) {
+            for (int x = 0; x < picture.width() / 2; ++x)
+                count += int(picture.pixelColor(x, y) == theme.color(role));
+        }
+        return count;
+    };
+    QCOMPARE(drawn(ColorRole::Danger) > 10, state == BatteryView::State::Empty);
+    QCOMPARE(drawn(ColorRole::Warning) > 10, state == BatteryView::State::Low);
+    QCOMPARE(drawn(ColorRole::Ok) > 10, state == BatteryView::State::Good);
     QVERIFY2(view.accessibleDescription().contains(said), qPrintable(view.accessibleDescription()));
     // The same thresholds, told for a cell.
     BatteryView each(theme);

@@ -384,6 +384,7 @@ void TestPanels::stopBeneath(const QString &address, const QString &name)
         QVERIFY2(!button->isVisible() || button->width() >= button->sizeHint().width(),
                  qPrintable(u"“%1” is cut"_s.arg(button->text())));
     }
+    QVERIFY(m_rig->boardGoesOn(0.3));  // with what it tells meanwhile
     QVERIFY(motors()->isEnabled());
     QVERIFY(!motors()->geometry().isEmpty());
     click(motors());

@@ -148,8 +148,12 @@ void TestBrokenFiles::aCutFileIsNeverTakenForAWholeOne()
     const bool isEndless = qstrcmp(kind.name, "response") == 0 || !isText(kind);
     const QString name = u"cut."_s + QFileInfo(kind.sample).suffix();  // by which a kind is known
     int told = 0;
-    for (int i = 0; i < kCuts; ++i) {
-        const qsizetype length = whole.size() * i / kCuts;
+    QList<qsizetype> lengths;
+    if (!isText(kind))
+        lengths = {1, 2, 3, 5, 8, 13, 21, 34, 55, 89};  // in what it begins with as well
+    for (int i = 0; i < kCuts; ++i)
+        lengths.append(whole.size() * i / kCuts);
+    for (const qsizetype length : std::as_const(lengths)) {
         const QString path = put(name, whole.first(length));
         const auto error = kind.read(path);
         if (!error) {
@@ -284,6 +288,7 @@ void TestBrokenFiles::theCommandLineSaysTheSame()
         {{u"export"_s, empty}, u"“empty.gimbalrec” is empty."_s},
         {{u"diff"_s, good, m_dir.filePath(u"none.json"_s)}, u"“none.json” does not exist."_s},
         {{u"export"_s, cut}, u"“half.json” is not a recording."_s},
+        {{u"diff"_s, good, data(kinds()[1].sample)}, u"STorM32"_s},
     };
     for (const auto &[arguments, words] : calls) {
         QProcess process;

@@ -158,6 +158,7 @@ private slots:
     void costInPhaseComesFromTheMeasuredLoop();
     void harmfulNotchIsTakenBackAtOnce();
     void goodNotchIsMeasuredAndTakenBackAllTheSame();
+    void notchThatCostsPhaseIsWorse();
     void uselessNotchIsNoBetter();
     void endedInTheMiddle_data();
     void endedInTheMiddle();
@@ -273,6 +274,16 @@ void TestNotch::goodNotchIsMeasuredAndTakenBackAllTheSame()
     QVERIFY(result->after.line < result->before.line / 2);
     QVERIFY(result->isTakenBack && bench.holdsWhatItHeld(Axis::Roll));
     QCOMPARE(bench.history.snapshots(bench.base.identity().serial).size(), 2);  // with the one of the bench
+}
+
+// It does not swing, and the camera is less calm.
+void TestNotch::notchThatCostsPhaseIsWorse()
+{
+    Bench bench(shaken(3), {{{60, 15, 40}, {60, 15, 40}, {60, 15, 40}}});
+    const auto result = bench.tryIt(bench.planFor(Axis::Roll, 20.0));
+    QVERIFY(result);
+    QVERIFY2(int(result->verdict) == int(NotchTrialResult::Verdict::Worse), qPrintable(inFigures(*result)));
+    QVERIFY(result->isTakenBack && bench.holdsWhatItHeld(Axis::Roll));
 }
 
 void TestNotch::uselessNotchIsNoBetter()
