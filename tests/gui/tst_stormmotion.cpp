@@ -248,8 +248,10 @@ void TestStormMotion::setupCanBeCancelled()
     workspace().setMotors(true);
     QVERIFY(!workspace().saveLive(m_rig->window()).result());
     QCOMPARE(problems.size(), 2);
-    for (const QString &key : {u"store"_s, u"motors.on"_s, u"reset"_s})
-        QVERIFY2(!workspace().perform(key, {}).result(), qPrintable(key));
+    for (const QString &key : {u"store"_s, u"motors.on"_s, u"reset"_s}) {
+        const auto refused = workspace().perform(key, {});
+        QVERIFY2(refused.isFinished() && !refused.result(), qPrintable(key));
+    }
     workspace().write(m_rig->model().edited());
     QCOMPARE(problems.size(), 6);
     QCOMPARE(inUse(79), 3);
