@@ -45,7 +45,7 @@ TransactionQueue::Id TransactionQueue::submit(Request request, Completion comple
     if (pending.request.answer)
         m_inFlight.push_back(std::move(pending));
     else
-        complete(std::move(pending), Frame());
+        complete(pending, Frame());
     return id;
 }
 
@@ -61,14 +61,14 @@ void TransactionQueue::cancel(Id id)
     if (const auto it = std::find_if(m_waiting.begin(), m_waiting.end(), isIt); it != m_waiting.end()) {
         Pending pending = std::move(*it);
         m_waiting.erase(it);
-        complete(std::move(pending), failure(ErrorCode::Cancelled));
+        complete(pending, failure(ErrorCode::Cancelled));
         return;
     }
     if (const auto it = std::find_if(m_inFlight.begin(), m_inFlight.end(), isIt); it != m_inFlight.end()) {
         Pending pending = std::move(*it);
         m_inFlight.erase(it);
         expectStaleReply(pending, pending.leftAt, pending.sends - pending.refused);
-        complete(std::move(pending), failure(ErrorCode::Cancelled));
+        complete(pending, failure(ErrorCode::Cancelled));
     }
 }
 
@@ -82,9 +82,9 @@ void TransactionQueue::cancelAll(const Error &why)
     m_lineFreeAt = {};
     m_pauseUntil = {};
     for (Pending &pending : inFlight)
-        complete(std::move(pending), tl::unexpected(why));
+        complete(pending, tl::unexpected(why));
     for (Pending &pending : waiting)
-        complete(std::move(pending), tl::unexpected(why));
+        complete(pending, tl::unexpected(why));
 }
 
 bool TransactionQueue::frameArrived(const FrameView &frame, TimePoint now)
@@ -104,7 +104,7 @@ bool TransactionQueue::frameArrived(const FrameView &frame, TimePoint now)
         m_roundTrip
             = std::max(Duration::zero(), now - (pending.refused > 0 ? pending.sentAt : pending.firstSentAt));
         expectStaleReply(pending, now, pending.sends - pending.refused - 1);
-        complete(std::move(pending), std::move(*answer));
+        complete(pending, std::move(*answer));
         startNext(now);
         return true;
     }
@@ -160,7 +160,7 @@ void TransactionQueue::advance(TimePoint now)
         m_inFlight.erase(m_inFlight.begin() + static_cast<std::ptrdiff_t>(i));
         expectStaleReply(late, now, late.sends - late.refused);
         const QString name = late.request.name;
-        complete(std::move(late), failure(ErrorCode::Timeout, name));
+        complete(late, failure(ErrorCode::Timeout, name));
         i = 0;  // the completion may have changed the list
     }
     startNext(now);
@@ -205,7 +205,7 @@ TimePoint TransactionQueue::account(qint64 bytes, TimePoint now)
     return m_lineFreeAt;
 }
 
-void TransactionQueue::complete(Pending pending, Result<Frame> result)
+void TransactionQueue::complete(const Pending &pending, Result<Frame> result)
 {
     if (pending.completion)
         pending.completion(std::move(result));
@@ -279,6 +279,6 @@ void TransactionQueue::startNext(TimePoint now)
             m_inFlight.push_back(std::move(pending));
             return;
         }
-        complete(std::move(pending), Frame());
+        complete(pending, Frame());
     }
 }

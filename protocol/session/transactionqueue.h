@@ -89,7 +89,7 @@ private:
 
     void send(Pending &pending, TimePoint now);
     TimePoint account(qint64 bytes, TimePoint now);
-    void complete(Pending pending, Result<Frame> result);
+    void complete(const Pending &pending, Result<Frame> result);
     void expectStaleReply(const Pending &pending, TimePoint now, int answers);
     /// A late answer has told how slow the board is: its further ones come as late.
     void learnLateness(const StaleReply &come, TimePoint now);

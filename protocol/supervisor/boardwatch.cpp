@@ -178,23 +178,24 @@ double Supervisor::lastSeen() const
 
 bool Supervisor::isOver(const Alarm &alarm, double now) const
 {
-    const AxisState *axis = alarm.axis == Axis::None ? nullptr : &m_axes[std::size_t(alarm.axis)];
+    const bool hasAxis = alarm.axis != Axis::None;
+    const AxisState &axis = m_axes[hasAxis ? std::size_t(alarm.axis) : 0];
     const bool isOff = !isDriven(now) && now - m_drivenSince > kAfterStart;
     switch (alarm.kind) {
     case AlarmKind::Runaway:
         if (alarm.isTurning)
-            return isOff || axis->turn.turned() == 0;
-        return isOff || std::abs(axis->error) < alarm.limit / 2;
+            return isOff || axis.turn.turned() == 0;
+        return isOff || std::abs(axis.error) < alarm.limit / 2;
     case AlarmKind::Oscillation:
         return isOff
-            || (alarm.hertz < kSlowHz ? axis->slow.recent(1.0 / alarm.hertz) : axis->oscillation.roughness())
+            || (alarm.hertz < kSlowHz ? axis.slow.recent(1.0 / alarm.hertz) : axis.oscillation.roughness())
             < alarm.value / 2;
-    case AlarmKind::Limit: return axis->beyondSince < 0;
-    case AlarmKind::Saturation: return axis->farSince < 0;
+    case AlarmKind::Limit: return axis.beyondSince < 0;
+    case AlarmKind::Saturation: return axis.farSince < 0;
     case AlarmKind::Sensor: return faultOf(AlarmKind::Sensor).isEmpty();
     case AlarmKind::Heat:
         return faultOf(AlarmKind::Heat).isEmpty()
-            && !((axis ? axis->motorTemperature : m_temperature) > m_rules.hotCelsius - kCooler);
+            && !((hasAxis ? axis.motorTemperature : m_temperature) > m_rules.hotCelsius - kCooler);
     case AlarmKind::Battery:
         return faultOf(AlarmKind::Battery).isEmpty()
             && !(m_battery > kNoBatteryVolts
