@@ -42,11 +42,14 @@ function(gimbal_family name)
     set(GIMBAL_FAMILY_BOARDS ${GIMBAL_FAMILY_BOARDS} protocol/simulator/${name} PARENT_SCOPE)
 endfunction()
 
-# gimbal_family_pages(names...): the pages that only boards of these families have.
+# gimbal_family_pages(names...): the pages that only boards of these families have, if there are any.
 function(gimbal_family_pages)
+    set(folders)
     foreach(name ${ARGN})
-        gimbal_folder(app/families/${name} app/workspace)
+        if(EXISTS ${CMAKE_SOURCE_DIR}/app/families/${name})
+            gimbal_folder(app/families/${name} app/workspace)
+            list(APPEND folders app/families/${name})
+        endif()
     endforeach()
-    list(TRANSFORM ARGN PREPEND app/families/ OUTPUT_VARIABLE folders)
     gimbal_folder(app/families ${folders})
 endfunction()

@@ -2866,6 +2866,18 @@
         <source>Whether it was carried out cannot be seen from that.</source>
         <translation>Ob es ausgeführt wurde, ist daran nicht zu sehen.</translation>
     </message>
+    <message>
+        <source>Calibrating: leave the drone alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor is tested; the drone hears nothing meanwhile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor controllers are calibrated; the drone hears nothing meanwhile</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FaceList</name>

@@ -97,7 +97,8 @@ public:
                   .arg(identity.model, identity.firmware, identity.writable ? QString() : u" (read-only)"_s,
                        isNumbered ? identity.serial : u"none"_s)
                   .arg(identity.profileCount)
-                  .arg(identity.usb ? u"USB"_s : u"UART"_s, capabilities.join(u", "_s));
+                  .arg(identity.usb ? u"USB"_s : identity.extra.value(u"port"_s, u"UART"_s).toString(),
+                       capabilities.join(u", "_s));
         return outcome;
     }
 };

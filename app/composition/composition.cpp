@@ -6,6 +6,10 @@
 #include "protocol/simulator/link/simulatedgimbals.h"
 #include "protocol/transport/systemtransport.h"
 
+#if GIMBAL_WITH_BCFLIGHT
+#include "protocol/bcflight/device.h"
+#include "protocol/simulator/bcflight/family.h"
+#endif
 #if GIMBAL_WITH_SIMPLEBGC
 #include "protocol/simplebgc/device.h"
 #include "protocol/simulator/simplebgc/family.h"
@@ -24,6 +28,9 @@ QList<Family> allFamilies()
 #if GIMBAL_WITH_STORM32
     families.append(storm32::family());
 #endif
+#if GIMBAL_WITH_BCFLIGHT
+    families.append(bcflight::family());
+#endif
     return families;
 }
 
@@ -35,6 +42,9 @@ QList<SimulatedFamily> allSimulatedFamilies()
 #endif
 #if GIMBAL_WITH_STORM32
     families.append(storm32::simulatedFamily());
+#endif
+#if GIMBAL_WITH_BCFLIGHT
+    families.append(bcflight::simulatedFamily());
 #endif
     return families;
 }

@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::uint16_t kArc = 0xA001;  // 0x8005 reflected
 constexpr std::uint16_t kCcitt = 0x8408;  // 0x1021 reflected
+constexpr std::uint32_t kCastagnoli = 0x82F63B78;
 constexpr int kSlices = 8;
 
 using SliceTables = std::array<std::array<std::uint16_t, 256>, kSlices>;
@@ -76,4 +77,22 @@ std::uint16_t crc16ArcReversed(Bytes bytes)
     crc = ((crc & 0x3333) << 2) | ((crc >> 2) & 0x3333);
     crc = ((crc & 0x0F0F) << 4) | ((crc >> 4) & 0x0F0F);
     return static_cast<std::uint16_t>((crc << 8) | (crc >> 8));
+}
+
+std::uint32_t crc32c(Bytes bytes, std::uint32_t crc)
+{
+    static constexpr auto kTable = [] {
+        std::array<std::uint32_t, 256> table{};
+        for (std::uint32_t byte = 0; byte < 256; ++byte) {
+            std::uint32_t value = byte;
+            for (int bit = 0; bit < 8; ++bit)
+                value = (value & 1) ? (value >> 1) ^ kCastagnoli : value >> 1;
+            table[byte] = value;
+        }
+        return table;
+    }();
+    crc = ~crc;
+    for (const std::byte byte : bytes)
+        crc = (crc >> 8) ^ kTable[(crc ^ std::to_integer<std::uint32_t>(byte)) & 0xFF];
+    return ~crc;
 }

@@ -19,3 +19,8 @@
 /// and STorM32 uses everywhere (STorM32 errata 2). "123456789" gives 0x6F91; over data followed by its own
 /// CRC, low byte first, it gives 0.
 [[nodiscard]] std::uint16_t crc16Mcrf4xx(Bytes bytes, std::uint16_t crc = 0xFFFF);
+
+/// CRC-32C (Castagnoli; reflected polynomial 0x82F63B78, initial value and final XOR 0xFFFFFFFF), of
+/// BCFlight's texts and uploads (BCFlight errata 2.3). "123456789" gives 0xE3069283. Pass the previous result
+/// to continue over several spans.
+[[nodiscard]] std::uint32_t crc32c(Bytes bytes, std::uint32_t crc = 0);

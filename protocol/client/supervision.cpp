@@ -129,9 +129,13 @@ void Supervision::start(const Board &board)
     m_board = board;
     m_supervisor = std::make_unique<Supervisor>();
     m_supervisor->setRules(m_rules);
-    m_source = std::make_unique<SupervisedStore>(board.store, board.device, board.roles);
+    ChannelRoles roles = board.roles;
+    // What flies goes where it is steered to. Where it does not tell its targets, they are not guessed.
+    if (board.flies && ChannelRoles::present({roles.target}).isEmpty())
+        roles.angle.fill(-1);
+    m_source = std::make_unique<SupervisedStore>(board.store, board.device, roles);
     m_source->skip();  // what came over an earlier link
-    m_possible = Supervisor::possible(board.roles);
+    m_possible = Supervisor::possible(roles);
     m_nextMissing = m_source->now() + kMissingAtFirst;
     m_missing.clear();
     m_timer->start();

@@ -81,6 +81,8 @@ struct ActionSpec
     /// false: the board confirms it, and says nothing that would show whether it was carried out: sent as
     /// well
     bool isShown = true;
+    /// It stores, and reads back what the board holds once it has started anew with it.
+    bool provesStore = false;
     /// The action that ends it on the board, and proves that, where it was broken off here: the board goes on
     /// by itself.
     const char *endedBy = "";

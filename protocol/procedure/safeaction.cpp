@@ -419,7 +419,7 @@ Result<void> SafeAction::prove()
             return tl::unexpected(withKnown(stored.error(), *m_backup));
         if (const auto used = checkStillUsed(m_channel, m_device, m_valuesBefore); !used)
             return tl::unexpected(withKnown(used.error(), *m_backup));
-        m_outcome.isStoreUntold = !m_tellsApart;
+        m_outcome.isStoreUntold = !m_tellsApart && !m_action.provesStore;
     }
     if (!m_wanted)
         return {};

@@ -24,6 +24,7 @@ struct LinkObservation
 {
     FramerStatistics framing;
     quint64 bytesIn = 0;
+    bool isPacketBased = false;  ///< what is sent at once arrives whole, or not at all
     QByteArray lastBytes;  ///< the most recent bytes, kept only until a frame is understood
     /// The last time that nothing at all came for at least kSilence: how long, and when something came again.
     Duration lastSilence{};
@@ -68,6 +69,9 @@ public:
     virtual void stopMotors(const StopPlan &plan) = 0;
     /// The board will be silent for this long without the link counting as lost.
     virtual void expectSilence(milliseconds duration) = 0;
+    /// Nothing is sent for this long but what this job itself sends: a board that is deaf would carry all of
+    /// it out afterwards, in a burst.
+    virtual void keepQuiet(milliseconds) { }
     [[nodiscard]] virtual bool cancelled() const = 0;
     /// While it is held, a job that is cancelled goes on: what it has begun would be left half done
     /// (Unbroken).

@@ -27,6 +27,7 @@ public:
     void allowMotors() override { m_channel.allowMotors(); }
     void stopMotors(const StopPlan &plan) override { m_channel.stopMotors(plan); }
     void expectSilence(milliseconds duration) override { m_channel.expectSilence(duration); }
+    void keepQuiet(milliseconds duration) override { m_channel.keepQuiet(duration); }
     [[nodiscard]] bool cancelled() const override { return m_channel.cancelled(); }
     void holdCancel(bool held) override { m_channel.holdCancel(held); }
     void progress(const Progress &progress) override { m_channel.progress(progress); }

@@ -244,6 +244,14 @@ void Session::expectSilence(milliseconds duration)
     schedule();
 }
 
+void Session::keepQuiet(milliseconds duration)
+{
+    const TimePoint until = Clock::now() + duration;
+    m_nextBeat = std::max<TimePoint>(m_nextBeat, until);
+    m_nextPoll = std::max<TimePoint>(m_nextPoll, until);
+    schedule();
+}
+
 LinkStatistics Session::statistics() const
 {
     LinkStatistics statistics;
@@ -268,6 +276,7 @@ LinkObservation Session::observation() const
 {
     LinkObservation observation = m_observed;
     observation.framing = m_framer ? m_framer->statistics() : FramerStatistics{};
+    observation.isPacketBased = m_transport && m_transport->isPacketBased();
     return observation;
 }
 

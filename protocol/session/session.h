@@ -71,6 +71,8 @@ public:
 
     /// The board will be silent for this long; the silence limit counts from the end of it.
     void expectSilence(milliseconds duration);
+    /// No heartbeat and no poll for this long.
+    void keepQuiet(milliseconds duration);
     [[nodiscard]] TimePoint silentUntil() const { return m_silentUntil; }
 
     /// The recording behind the open link; null for a live one.

@@ -271,6 +271,12 @@ void SessionChannel::expectSilence(milliseconds duration)
         Qt::QueuedConnection);
 }
 
+void SessionChannel::keepQuiet(milliseconds duration)
+{
+    QMetaObject::invokeMethod(
+        &m_session, [session = &m_session, duration] { session->keepQuiet(duration); }, Qt::QueuedConnection);
+}
+
 Result<void> SessionChannel::open(const LinkAddress &address, std::unique_ptr<Framer> framer,
                                   const LinkTiming &timing)
 {

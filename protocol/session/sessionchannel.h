@@ -60,6 +60,7 @@ public:
     void allowMotors() override;
     void stopMotors(const StopPlan &plan) override;
     void expectSilence(milliseconds duration) override;
+    void keepQuiet(milliseconds duration) override;
     [[nodiscard]] bool cancelled() const override { return !m_held && m_control->isCancelled(); }
     void holdCancel(bool held) override { m_held = held; }
     void progress(const Progress &progress) override { m_hooks.progress(progress); }

@@ -3,6 +3,10 @@
 //
 // Prints every text of the tables as a line that lupdate understands: tables hold plain literals, translated
 // in the context "Tables" where they are shown.
+#if GIMBAL_WITH_BCFLIGHT
+#include "protocol/bcflight/device.h"
+#include "protocol/bcflight/tables.h"
+#endif
 #if GIMBAL_WITH_SIMPLEBGC
 #include "protocol/simplebgc/adjustables.h"
 #include "protocol/simplebgc/faults.h"
@@ -50,7 +54,7 @@ public:
     void add(std::span<const ActionSpec> actions)
     {
         for (const ActionSpec &action : actions) {
-            for (const char *text : {action.label, action.help, action.group})
+            for (const char *text : {action.label, action.help, action.group, action.confirm})
                 add(text);
             for (const ArgumentSpec &argument : action.arguments) {
                 add(argument.label);
@@ -132,11 +136,41 @@ void addStorm32(Texts &texts)
 }
 #endif
 
+#if GIMBAL_WITH_BCFLIGHT
+void addBcflight(Texts &texts)
+{
+    for (const ParameterRow &row : bcflight::parameterRows()) {
+        for (const char *text : {row.label, row.group, row.help})
+            texts.add(text);
+    }
+    for (const BlockSpec &block : bcflight::blocks())
+        texts.add(block.data);
+    for (const ChannelSpec &channel : bcflight::channels()) {
+        texts.add(channel.label);
+        texts.add(channel.group);
+    }
+    texts.add(bcflight::actions());
+    const bcflight::Device drone;
+    for (const int state : {0, 1, 2, 4}) {
+        texts.add(drone.statusText(state).toUtf8().constData());
+        for (const BoardFact &fact : drone.facts([state](int) { return double(state); })) {
+            texts.add(fact.name);
+            for (const char *word : fact.words)
+                texts.add(word);
+        }
+    }
+    texts.add(bcflight::family().nouns.load);
+}
+#endif
+
 }  // namespace
 
 int main()
 {
     Texts texts;
+#if GIMBAL_WITH_BCFLIGHT
+    addBcflight(texts);
+#endif
 #if GIMBAL_WITH_SIMPLEBGC
     if (!addSimpleBgc(texts))
         return 1;

@@ -15,7 +15,7 @@ constexpr qsizetype kMaxLines = 600;
 // Families know each other nowhere; who may know one of them is said in one place.
 const QStringList &families()
 {
-    static const QStringList list{u"simplebgc"_s, u"storm32"_s, u"mavlink"_s};
+    static const QStringList list{u"simplebgc"_s, u"storm32"_s, u"mavlink"_s, u"bcflight"_s};
     return list;
 }
 
@@ -51,20 +51,22 @@ const QMap<QString, QStringList> &allowed()
         {u"protocol/simplebgc"_s, family},
         {u"protocol/mavlink"_s, {u"protocol/base"_s}},
         {u"protocol/storm32"_s, family + QStringList{u"protocol/mavlink"_s}},
+        {u"protocol/bcflight"_s, family},
         {u"protocol/record"_s, family},
         {u"protocol/procedure"_s, family + QStringList{u"protocol/record"_s}},
         {u"protocol/simulator/world"_s, {u"protocol/base"_s, u"protocol/transport"_s}},
         {u"protocol/simulator/link"_s, board + QStringList{u"protocol/session"_s}},
         {u"protocol/simulator/simplebgc"_s, board + family + QStringList{u"protocol/simplebgc"_s}},
         {u"protocol/simulator/storm32"_s, board + family + QStringList{u"protocol/storm32"_s, u"protocol/mavlink"_s}},
+        {u"protocol/simulator/bcflight"_s, board + family + QStringList{u"protocol/bcflight"_s}},
         {u"widgets/models"_s, shown},
         {u"widgets/theme"_s, {u"protocol/base"_s}},
         {u"widgets/forms"_s, drawn},
         {u"widgets/plot"_s, drawn},
         {u"widgets/views"_s, drawn},
         // The one place that knows which families and boards there are.
-        {u"app/composition"_s, core + board + QStringList{u"protocol/simplebgc"_s, u"protocol/storm32"_s, u"protocol/mavlink"_s,
-            u"protocol/simulator/link"_s, u"protocol/simulator/simplebgc"_s, u"protocol/simulator/storm32"_s}},
+        {u"app/composition"_s, core + board + QStringList{u"protocol/simplebgc"_s, u"protocol/storm32"_s, u"protocol/mavlink"_s, u"protocol/bcflight"_s,
+            u"protocol/simulator/link"_s, u"protocol/simulator/simplebgc"_s, u"protocol/simulator/storm32"_s, u"protocol/simulator/bcflight"_s}},
         // gimbalsim's command line is a client of the simulator.
         {u"app/cli"_s, core + board + QStringList{u"app/composition"_s, u"widgets/models"_s, u"protocol/simulator/link"_s}},
         {u"app/workspace"_s, shared},

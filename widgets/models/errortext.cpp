@@ -501,6 +501,12 @@ QString describe(const Progress &progress)
         return Words::tr("Putting back %1").arg(subject);
     if (progress.step == u"calibrate"_s)
         return Words::tr("Calibrating: keep the camera absolutely still");
+    if (progress.step == u"calibrate-drone"_s)
+        return Words::tr("Calibrating: leave the drone alone");
+    if (progress.step == u"motor-test"_s)
+        return Words::tr("The motor is tested; the drone hears nothing meanwhile");
+    if (progress.step == u"escs"_s)
+        return Words::tr("The motor controllers are calibrated; the drone hears nothing meanwhile");
     if (progress.step == u"place-sensor"_s)
         return Words::tr("Lay the sensor still on one of its faces");
     if (progress.step == u"level-camera"_s)

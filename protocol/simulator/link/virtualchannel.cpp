@@ -210,6 +210,7 @@ LinkObservation VirtualChannel::observation() const
 {
     LinkObservation observation = m_observed;
     observation.framing = m_framer->statistics();
+    observation.isPacketBased = m_port.isPacketBased();
     return observation;
 }
 

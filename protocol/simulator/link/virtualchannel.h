@@ -26,6 +26,10 @@ public:
     void releaseControl() override { m_control.end(now()); }
     void stopMotors(const StopPlan &plan) override;
     void expectSilence(milliseconds duration) override;
+    void keepQuiet(milliseconds duration) override
+    {
+        m_nextBeat = std::max<TimePoint>(m_nextBeat, now() + duration);
+    }
     [[nodiscard]] bool cancelled() const override { return !m_held && m_cancelAt && now() >= *m_cancelAt; }
     void holdCancel(bool held) override { m_held = held; }
     void progress(const Progress &progress) override;

@@ -1,0 +1,519 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/bcflight/device.h"
+
+#include "protocol/bcflight/decoder.h"
+#include "protocol/bcflight/framer.h"
+#include "protocol/bcflight/infotext.h"
+#include "protocol/bcflight/luacheck.h"
+#include "protocol/bcflight/tables.h"
+#include "protocol/session/channel.h"
+#include "protocol/session/stopplan.h"
+#include "protocol/telemetry/telemetryplan.h"
+
+#include <QCryptographicHash>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace bcflight {
+
+namespace {
+
+constexpr auto kBeat = 250ms;  // errata 3
+constexpr auto kAnswer = 250ms;
+constexpr auto kTextAnswer = 1000ms;
+constexpr int kRetries = 5;  // errata 3: bounded
+constexpr auto kStatusPeriod = 200ms;  // errata 3: faster than the original
+constexpr double kNoStream = 5;  // rows per second: what is asked for
+constexpr auto kLost = 3s;
+constexpr auto kTogether = 150ms;  // what is answered in one packet has come by then
+constexpr int kSizeOfFloat = 4;
+
+constexpr std::array kFactors{Message::RollPidFactors, Message::PitchPidFactors, Message::YawPidFactors};
+
+std::shared_ptr<const ParameterSet> parametersOf(const BoardIdentity &identity)
+{
+    return std::make_shared<ParameterSet>(parameterRows(), blocks(), identity.firmwareNumber,
+                                          identity.capabilities);
+}
+
+// The tick is this computer's clock; the drone gives it back (errata 3).
+QByteArray pingPayload()
+{
+    const auto now = std::chrono::duration_cast<milliseconds>(Clock::now().time_since_epoch()).count();
+    return bigU16(std::uint16_t(now)) + bigU16(0);
+}
+
+std::optional<Result<Frame>> accept(const FrameView &frame, Message id)
+{
+    return frame.id == int(id) ? std::optional(Result<Frame>(Frame(frame))) : std::nullopt;
+}
+
+QString valueIn(const QList<InfoNode> &nodes, const QString &name)
+{
+    const auto it = std::find_if(nodes.begin(), nodes.end(),
+                                 [&name](const InfoNode &node) { return node.name == name; });
+    return it == nodes.end() ? QString() : it->value;
+}
+
+QByteArray floatBytes(const QByteArray &gains, int variable)
+{
+    return gains.mid(variable * kSizeOfFloat, kSizeOfFloat);
+}
+
+QString textOf(const Frame &frame)
+{
+    return QString::fromUtf8(frame.payload.left(frame.payload.indexOf('\0')));
+}
+
+}  // namespace
+
+Device::Device() = default;
+
+float Device::gainAt(const QByteArray &gains, int variable)
+{
+    const FieldSpec field{"", FieldType::F32};
+    const auto values = decodeFields({&field, 1}, asBytes(floatBytes(gains, variable)));
+    return values.empty() ? std::numeric_limits<float>::quiet_NaN() : float(values.front().number);
+}
+
+Request Device::order(Message id, const QByteArray &payload) const
+{
+    Request request;
+    request.name = QString::fromLatin1(findMessage(id)->name);
+    request.bytes = encode(id, payload, m_generation);
+    return request;
+}
+
+Request Device::ask(Message id, const QByteArray &payload) const
+{
+    Request request = order(id, payload);
+    request.answer = [id](const FrameView &frame) { return accept(frame, id); };
+    request.kind = int(id);
+    request.timeout = kAnswer;
+    request.retries = kRetries;
+    request.idempotent = true;
+    return request;
+}
+
+// The first packet that a drone hears after its start makes it listen, and is thrown away (errata 3).
+Result<bool> Device::probe(Channel &channel)
+{
+    Request ping = ask(Message::Ping, pingPayload());
+    ping.repeated = true;
+    const auto reply = channel.transact(ping);
+    if (!reply && reply.error().code != ErrorCode::Timeout)
+        return tl::unexpected(reply.error());
+    return reply.has_value();
+}
+
+Result<Generation> Device::detect(Channel &channel)
+{
+    m_generation = Generation::Unknown;
+    // Up to generation B the status comes along with the answer to a ping.
+    const auto box = channel.listen([](const FrameView &frame) {
+        return frame.id == int(Message::Status) && !frame.raw.empty() && frame.raw[0] == std::byte{0x80};
+    });
+    if (const auto heard = probe(channel); !heard || !*heard)
+        return heard ? failure(ErrorCode::Timeout, u"PING"_s) : tl::unexpected(heard.error());
+    const auto together = box->next(kTogether);
+    if (!together && together.error().code != ErrorCode::Timeout)
+        return tl::unexpected(together.error());
+    if (together) {
+        Request old = ask(Message::GetCamerasInfos);
+        old.bytes = QByteArray::fromHex("006b");
+        old.answer = [](const FrameView &frame) -> std::optional<Result<Frame>> {
+            const auto config = accept(frame, Message::GetConfigFile);
+            return config ? config : accept(frame, Message::GetCamerasInfos);
+        };
+        const auto answer = channel.transact(old);
+        if (!answer)
+            return tl::unexpected(answer.error());
+        return answer->id == int(Message::GetConfigFile) ? Generation::A : Generation::B;
+    }
+    const auto isAnswered = [&channel](const Request &request) -> Result<bool> {
+        const auto answer = channel.transact(request);
+        if (!answer && answer.error().code != ErrorCode::Timeout)
+            return tl::unexpected(answer.error());
+        return answer.has_value();
+    };
+    Request status = ask(Message::Status);
+    status.bytes = QByteArray::fromHex("85");
+    status.retries = 2;
+    if (const auto current = isAnswered(status); !current || *current)
+        return current ? Result<Generation>(Generation::G) : tl::unexpected(current.error());
+    Request echo = ask(Message::Status);
+    echo.name = u"ACK_ID"_s;
+    echo.bytes = encodeAck(1);
+    echo.answer = [](const FrameView &frame) { return accept(frame, Message(int(Message::Ack) + 1)); };
+    // C and D cannot be told apart without risk.
+    return isAnswered(echo).map([](bool answers) { return answers ? Generation::E : Generation::C; });
+}
+
+Result<BoardIdentity> Device::identify(Channel &channel)
+{
+    const auto generation = detect(channel);
+    if (!generation)
+        return tl::unexpected(generation.error());
+    m_generation = *generation;
+    BoardIdentity identity;
+    identity.family = u"bcflight"_s;
+    identity.firmwareNumber = int(m_generation);
+    identity.writable = m_generation >= Generation::F;
+    const auto told = channel.transact(ask(Message::GetBoardInfos));
+    if (!told)
+        return tl::unexpected(told.error());
+    const QString board = textOf(*told);
+    const auto info = readInfo(board.toUtf8());
+    const QString model = info ? valueIn(*info, u"Model"_s) : QString();
+    const QString type = info ? valueIn(*info, u"Type"_s) : QString();
+    identity.model = u"BCFlight %1"_s.arg(model.isEmpty() ? type : model).trimmed();
+    const QString version = info ? valueIn(*info, u"Firmware version"_s) : QString();
+    identity.firmware = version.isEmpty() ? u"?"_s : version;
+    QString name;
+    if (m_generation >= Generation::F) {
+        Request who = ask(Message::GetUsername);
+        who.retries = 2;
+        if (const auto reply = channel.transact(who))
+            name = textOf(*reply);
+        else if (reply.error().code != ErrorCode::Timeout)
+            return tl::unexpected(reply.error());
+    }
+    if (name == u"[unknown]"_s)
+        name.clear();
+    // It has no number; by its looks it is told from others.
+    identity.serial = u"bcflight-"_s
+        + QString::fromLatin1(QCryptographicHash::hash((name + u'\n' + model + u'\n' + type).toUtf8(),
+                                                       QCryptographicHash::Sha1)
+                                  .left(6)
+                                  .toHex());
+    identity.extra.insert(BoardIdentity::kUnnumbered, true);
+    identity.extra.insert(u"name"_s, name);
+    identity.extra.insert(u"port"_s, u"network"_s);
+    identity.extra.insert(u"generation"_s, generationText(m_generation));
+    m_identity = identity;
+    m_parameters = parametersOf(identity);
+    m_adjustables.clear();
+    m_adjustableKeys.clear();
+    m_adjustableKeys.reserve(m_parameters->all().size());
+    for (const ParameterSpec &spec : m_parameters->all()) {
+        if (spec.adjustable < 0)
+            continue;
+        m_adjustableKeys.push_back(spec.key.toLatin1());
+        m_adjustables.push_back({spec.adjustable, m_adjustableKeys.back().constData(), spec.row->label,
+                                 spec.row->group, spec.axis, spec.row->min, spec.row->max, 0});
+    }
+    return identity;
+}
+
+Result<Status> Device::status(Channel &channel) const
+{
+    const auto reply = channel.transact(ask(Message::Status));
+    if (!reply)
+        return tl::unexpected(reply.error());
+    const auto status = Status::decode(asBytes(reply->payload));
+    return status ? Result<Status>(*status) : failure(ErrorCode::BadReply, u"STATUS"_s);
+}
+
+Result<void> Device::checkDisarmed(Channel &channel) const
+{
+    const auto now = status(channel);
+    if (!now)
+        return tl::unexpected(now.error());
+    if (now->armed)
+        return failure(ErrorCode::ConditionUnmet, u"the drone is armed"_s);
+    if (now->calibrating)
+        return failure(ErrorCode::ConditionUnmet, u"the drone is calibrating"_s);
+    return {};
+}
+
+Result<Configuration> Device::readConfiguration(Channel &channel)
+{
+    Configuration configuration(m_identity, m_parameters);
+    for (const BlockSpec &block : blocks()) {
+        auto bytes = readBlock(channel, {0, block.id});
+        if (bytes)
+            configuration.setBlock({0, block.id}, std::move(*bytes));
+        else if (bytes.error().code == ErrorCode::LinkClosed || bytes.error().code == ErrorCode::Cancelled)
+            return tl::unexpected(bytes.error());
+        else
+            configuration.addMissing({0, block.id}, bytes.error());
+    }
+    return configuration;
+}
+
+Result<QByteArray> Device::readBlock(Channel &channel, BlockKey key)
+{
+    return key.block == Gains ? readGains(channel) : readText(channel);
+}
+
+Result<QByteArray> Device::readGains(Channel &channel)
+{
+    QByteArray gains;
+    const auto append = [&](Message id, int floats) -> Result<void> {
+        const auto reply = channel.transact(ask(id));
+        if (!reply)
+            return tl::unexpected(reply.error());
+        if (reply->payload.size() != floats * kSizeOfFloat)
+            return failure(ErrorCode::BadReply, QString::fromLatin1(findMessage(id)->name));
+        gains += reply->payload;
+        return {};
+    };
+    for (const Message axis : kFactors) {
+        if (const auto read = append(axis, 3); !read)
+            return tl::unexpected(read.error());
+    }
+    if (const auto read = append(Message::HorizonOffset, kOffsets); !read)
+        return tl::unexpected(read.error());
+    if (const auto read = append(Message::OuterPidFactors, kOuterGains); !read)
+        return tl::unexpected(read.error());
+    return gains;
+}
+
+// One command per gain; the offset goes as a pair. The echo confirms it, and reading back proves it. A
+// refusal is silence (errata 7.2).
+Result<void> Device::setGain(Channel &channel, int variable, const QByteArray &gains)
+{
+    const bool isOffset = variable >= kRateGains;
+    const Message id = isOffset ? Message::SetHorizonOffset : Message(int(Message::SetRollP) + variable);
+    const QByteArray payload = isOffset ? gains.mid(kRateGains * kSizeOfFloat, kOffsets * kSizeOfFloat)
+                                        : floatBytes(gains, variable);
+    const auto echo = channel.transact(ask(id, payload));
+    if (!echo)
+        return tl::unexpected(echo.error());
+    return echo->payload == payload
+        ? Result<void>()
+        : failure(ErrorCode::BadReply,
+                  u"%1: another value came back"_s.arg(QLatin1String(findMessage(id)->name)));
+}
+
+Result<void> Device::writeGains(Channel &channel, const QByteArray &bytes)
+{
+    for (int variable = 0; variable < kLiveValues; ++variable) {
+        if (!std::isfinite(gainAt(bytes, variable)))
+            return failure(ErrorCode::OutOfRange, u"a gain is no number"_s);
+    }
+    if (const auto ready = checkDisarmed(channel); !ready)
+        return ready;
+    const auto now = readGains(channel);
+    if (!now)
+        return tl::unexpected(now.error());
+    bool isOffsetSet = false;
+    for (int variable = 0; variable < kLiveValues; ++variable) {
+        if (floatBytes(*now, variable) == floatBytes(bytes, variable)
+            || (variable >= kRateGains && std::exchange(isOffsetSet, true)))
+            continue;
+        if (const auto set = setGain(channel, variable, bytes); !set)
+            return set;
+    }
+    return {};
+}
+
+Result<QByteArray> Device::readText(Channel &channel)
+{
+    Request request = ask(Message::GetConfigFile);
+    request.timeout = kTextAnswer;
+    request.answer = [](const FrameView &frame) -> std::optional<Result<Frame>> {
+        if (frame.id != int(Message::GetConfigFile))
+            return {};
+        const auto text = decodeChecked(frame.payload);
+        return text ? Result<Frame>(Frame(frame)) : tl::unexpected(text.error());
+    };
+    const auto reply = channel.transact(request);
+    return reply ? decodeChecked(asBytes(reply->payload)) : tl::unexpected(reply.error());
+}
+
+// Errata 7.3. It overwrites its only copy and restarts, and if it cannot load the text it never comes back:
+// the text that it had is in the history by then.
+Result<void> Device::writeText(Channel &channel, const QByteArray &text)
+{
+    if (const auto valid = checkSyntax(text); !valid)
+        return valid;
+    if (text.size() >= kLargestText)
+        return failure(ErrorCode::TooMuch,
+                       u"%1 bytes; less than %2 are allowed"_s.arg(text.size()).arg(kLargestText));
+    // Over a stream it would arrive in pieces, and the drone would take those for commands (errata 2.6).
+    if (!channel.observation().isPacketBased)
+        return failure(ErrorCode::Unsupported, u"the configuration text is uploaded over UDP only"_s);
+    if (const auto ready = checkDisarmed(channel); !ready)
+        return ready;
+    Request request = ask(Message::SetConfigFile, encodeChecked(text));
+    request.timeout = kTextAnswer;
+    request.idempotent = false;  // a lost answer: it may be restarting already
+    request.retries = 0;
+    const auto reply = channel.transact(request);
+    if (!reply)
+        return tl::unexpected(reply.error());
+    const int code = reply->payload.isEmpty() ? -1 : int(reply->payload.back());
+    if (code == 0)
+        return {};  // before it is written, and the drone goes on for a while
+    return tl::unexpected(
+        Error{ErrorCode::BoardError, u"the text did not arrive whole; it was not written"_s, code});
+}
+
+Result<void> Device::writeBlock(Channel &channel, BlockKey key, const QByteArray &bytes)
+{
+    return key.block == Gains ? writeGains(channel, bytes) : writeText(channel, bytes);
+}
+
+std::span<const AdjustableSpec> Device::adjustables() const
+{
+    return m_adjustables;
+}
+
+Result<std::vector<AdjustableValue>> Device::readAdjustables(Channel &channel, const QList<int> &ids)
+{
+    const auto gains = readGains(channel);
+    if (!gains)
+        return tl::unexpected(gains.error());
+    std::vector<AdjustableValue> values;
+    for (const int id : ids)
+        values.push_back({id, double(gainAt(*gains, id))});
+    return values;
+}
+
+QString Device::storeAction() const
+{
+    return u"gains.store"_s;
+}
+
+Result<void> Device::checkAdjustable(const AdjustableValue &wanted) const
+{
+    const auto spec = std::find_if(m_adjustables.begin(), m_adjustables.end(),
+                                   [&wanted](const AdjustableSpec &each) { return each.id == wanted.id; });
+    if (spec != m_adjustables.end() && wanted.value >= spec->min && wanted.value <= spec->max)
+        return {};
+    return failure(ErrorCode::OutOfRange,
+                   spec == m_adjustables.end() ? QString() : QString::fromLatin1(spec->key));
+}
+
+Result<void> Device::putAdjustables(Channel &channel, const std::vector<AdjustableValue> &values)
+{
+    auto gains = readGains(channel);
+    if (!gains)
+        return tl::unexpected(gains.error());
+    for (const AdjustableValue &value : values)
+        gains->replace(value.id * kSizeOfFloat, kSizeOfFloat, bigF32(float(value.value)));
+    return writeGains(channel, *gains);
+}
+
+std::span<const ActionSpec> Device::actions() const
+{
+    return bcflight::actions();
+}
+
+ChannelTable Device::channels() const
+{
+    return bcflight::channels();
+}
+
+// What it streams it streams by itself, as its configuration says; state and battery are asked for.
+Result<TelemetryPlan> Device::subscribe(Channel &, const Subscription &subscription,
+                                        std::optional<LineSettings>)
+{
+    if (!subscription.streams.isEmpty())
+        return failure(ErrorCode::InvalidArgument, u"a drone decides by itself what it streams"_s);
+    TelemetryPlan plan;
+    plan.decoder = std::make_shared<Decoder>();
+    plan.poll = ask(m_generation >= Generation::F ? Message::Status : Message::Ping,
+                    m_generation >= Generation::F ? QByteArray() : pingPayload());
+    if (m_generation >= Generation::C)
+        plan.poll->bytes += encode(Message::Telemetry, {}, m_generation);
+    plan.poll->retries = 0;
+    plan.poll->repeated = true;
+    plan.pollInterval = kStatusPeriod;
+    plan.rate = kNoStream;
+    return plan;
+}
+
+std::shared_ptr<TelemetryDecoder> Device::replayDecoder() const
+{
+    return std::make_shared<Decoder>();
+}
+
+// Errata 9.2: disarm, stop whatever the state, and ask until it says so and its outputs stand.
+StopPlan Device::stopPlan() const
+{
+    StopPlan plan;
+    std::vector<Request> requests{order(Message::ResetMotors)};
+    if (m_generation >= Generation::F)
+        requests.insert(requests.begin(), order(Message::Controls, Controls().encode(m_generation)));
+    Request question = ask(m_generation >= Generation::F ? Message::Status : Message::Ping,
+                           m_generation >= Generation::F ? QByteArray() : pingPayload());
+    question.retries = 0;
+    question.repeated = true;
+    requests.push_back(question);
+    plan.means = {{requests, 100ms, 30}};
+    plan.fromTelemetry = [](const LatestValues &latest, TimePoint since) {
+        if (latest.latestAt(Armed) <= since || std::isnan(latest.latest(Armed)))
+            return Proof::Nothing;
+        if (latest.latest(Armed) != 0)
+            return Proof::Refuted;
+        // "Disarmed" does not mean that the motors stand (errata 9.2, 8). Where the outputs are streamed,
+        // they tell.
+        if (latest.latestAt(Outputs) == TimePoint{})
+            return Proof::Proven;
+        if (latest.latestAt(Outputs) <= since || std::isnan(latest.latest(Outputs)))
+            return Proof::Nothing;
+        return latest.latest(Outputs) == 0 ? Proof::Proven : Proof::Refuted;
+    };
+    return plan;
+}
+
+std::vector<BoardFact> Device::facts(const std::function<double(int)> &latest) const
+{
+    const double bits = latest(State);
+    if (std::isnan(bits))
+        return {};
+    const auto has = [bits](std::uint32_t bit) { return (std::uint32_t(bits) & bit) != 0; };
+    return {{"Armed", {has(Status::kArmed) ? "yes" : "no"}},
+            {"Calibrated",
+             {has(Status::kCalibrating)      ? "calibrating"
+                  : has(Status::kCalibrated) ? "yes"
+                                             : "no"}}};
+}
+
+QString Device::statusText(int state) const
+{
+    const auto bits = std::uint32_t(state);
+    if (bits & Status::kArmed)
+        return u"Armed"_s;
+    if (bits & Status::kCalibrating)
+        return u"Calibrating"_s;
+    return bits & Status::kCalibrated ? u"Disarmed"_s : u"Not calibrated"_s;
+}
+
+bool Device::isStabilising(int state) const
+{
+    return (std::uint32_t(state) & Status::kArmed) != 0;
+}
+
+QString Device::messageText(const FrameView &frame) const
+{
+    return frame.id == int(Message::DebugOutput) ? textOf(Frame(frame)) : QString();
+}
+
+Family family()
+{
+    Family family;
+    family.key = u"bcflight"_s;
+    family.name = u"BCFlight"_s;
+    // Whatever is sent to a drone it takes for commands: nobody else may ask there. Over TCP it says who it
+    // is only when the address names the family.
+    family.links = {{LinkAddress::Kind::Udp}, {LinkAddress::Kind::Tcp, false}};
+    family.timing.pause = 2ms;
+    family.timing.heartbeatPeriod = kBeat;
+    family.timing.heartbeat = [] { return encode(Message::Ping, pingPayload()); };
+    family.timing.silenceLimit = kLost;
+    family.nouns.load = "drone";
+    family.nouns.flies = true;
+    family.makeFramer = [] { return std::make_unique<Framer>(); };
+    family.makeDevice = [] { return std::make_unique<Device>(); };
+    family.makeParameters = parametersOf;
+    return family;
+}
+
+}  // namespace bcflight

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The console's view of the messages.
+#include "protocol/bcflight/device.h"
+#include "protocol/bcflight/framer.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace bcflight {
+
+namespace {
+
+constexpr qsizetype kLongestText = 200;
+
+QString hexText(Bytes bytes)
+{
+    return QString::fromLatin1(toByteArray(bytes).toHex(' '));
+}
+
+QString fieldsText(std::span<const FieldSpec> fields, Bytes payload, int stickBytes)
+{
+    QStringList parts;
+    for (const FieldValue &value : decodeFields(fields, payload, stickBytes)) {
+        const QString name = QString::fromUtf8(value.spec->name);
+        const QString unit = QString::fromUtf8(value.spec->unit);
+        QString text;
+        switch (value.spec->type) {
+        case FieldType::Text:
+            text = QString::fromUtf8(value.bytes.left(kLongestText)).simplified();
+            if (value.bytes.size() > kLongestText)
+                text += u"… (%1 bytes)"_s.arg(value.bytes.size());
+            break;
+        case FieldType::Sticks:
+        case FieldType::Rest: text = QString::fromLatin1(value.bytes.left(kLongestText).toHex(' ')); break;
+        case FieldType::Floats:
+        case FieldType::Bins:
+        case FieldType::Powers: {
+            QStringList numbers;
+            for (const float number : value.numbers)
+                numbers.append(QString::number(double(number), 'g', 6));
+            text = numbers.size() > 8 ? u"%1 values"_s.arg(numbers.size()) : numbers.join(u' ');
+            break;
+        }
+        case FieldType::F32: text = plainNumber(double(float(value.number))); break;
+        default: text = QString::number(qint64(value.number)); break;
+        }
+        parts.append(unit.isEmpty() ? name + u' ' + text : name + u' ' + text + u' ' + unit);
+    }
+    return parts.join(u", "_s);
+}
+
+// What a message may do when it is typed. What steers is refused altogether.
+ActionRisk riskOf(Message id)
+{
+    switch (id) {
+    case Message::Status:
+    case Message::Ping:
+    case Message::Telemetry:
+    case Message::ResetMotors: return ActionRisk::Safe;
+    case Message::MotorTest:
+    case Message::MotorsBeep:
+    case Message::CalibrateEscs: return ActionRisk::Destroys;
+    case Message::SetConfigFile:
+    case Message::UploadInit:
+    case Message::UploadData:
+    case Message::UploadProcess: return ActionRisk::Destroys;
+    default: break;
+    }
+    const MessageSpec *spec = findMessage(id);
+    const bool isQuestion = spec && spec->fromGround && spec->fromGround->empty() && spec->fromDrone
+        && id < Message::VideoPause;
+    return isQuestion ? ActionRisk::Safe : ActionRisk::Writes;
+}
+
+// Set-points and uploads are never typed: the first move the drone whatever its state is, of the others one
+// wrong byte is a burst of commands.
+bool isTyped(const MessageSpec &message, Generation generation)
+{
+    const Message id = message.id;
+    const bool steers = id == Message::Controls || (id >= Message::SetRoll && id <= Message::SetThrust);
+    const bool uploads
+        = id == Message::SetConfigFile || (id >= Message::UploadInit && id <= Message::UploadProcess);
+    const bool isDeaf = id == Message::MotorTest || id == Message::CalibrateEscs;
+    return message.fromGround && id != Message::Unknown && id != Message::Ack && !steers && !uploads
+        && !isDeaf && generation >= message.askedSince && wireId(id, generation) >= 0;
+}
+
+}  // namespace
+
+FrameText Device::describeFrame(const FrameView &frame, bool fromBoard) const
+{
+    if (frame.id == kDiscarded)
+        return {u"?"_s, hexText(frame.payload.first(std::min<std::size_t>(frame.payload.size(), 64)))};
+    if (frame.id >= int(Message::Ack) && frame.id < int(Message::Ack) + 0x80)
+        return {u"ACK_ID"_s, u"number %1"_s.arg(frame.id - int(Message::Ack))};
+    const MessageSpec *spec = findMessage(Message(frame.id));
+    const auto &fields = spec ? (fromBoard ? spec->fromDrone : spec->fromGround)
+                              : std::optional<std::span<const FieldSpec>>();
+    if (!fields)
+        return {spec ? QString::fromLatin1(spec->name) : u"?"_s, hexText(frame.payload)};
+    return {QString::fromLatin1(spec->name),
+            fieldsText(*fields, frame.payload, Controls::size(m_generation))};
+}
+
+// What is sent is a list of messages as well, in the ground's own forms.
+FrameText Device::describeSent(QByteArrayView bytes) const
+{
+    QStringList names;
+    QStringList texts;
+    Bytes rest = asBytes(bytes);
+    while (!rest.empty()) {
+        const bool isShort = (rest[0] & std::byte{0x80}) != std::byte{};
+        if (!isShort && rest.size() < 2)
+            break;
+        const int wire = isShort ? std::to_integer<int>(rest[0])
+                                 : std::to_integer<int>(rest[0]) << 8 | std::to_integer<int>(rest[1]);
+        const auto id
+            = groundMessage(wire, m_generation == Generation::Unknown ? Generation::G : m_generation);
+        const MessageSpec *spec = id ? findMessage(*id) : nullptr;
+        if (!spec || !spec->fromGround) {
+            names.append(u"?"_s);
+            texts.append(hexText(rest));
+            break;
+        }
+        rest = rest.subspan(isShort ? 1 : 2);
+        const int sticks = Controls::size(m_generation);
+        const std::size_t size
+            = std::min(payloadSize(*spec->fromGround, rest, sticks).value_or(rest.size()), rest.size());
+        names.append(QString::fromLatin1(spec->name));
+        if (const QString text = fieldsText(*spec->fromGround, rest.first(size), sticks); !text.isEmpty())
+            texts.append(text);
+        rest = rest.subspan(size);
+    }
+    return {names.join(u" + "_s), texts.join(u" + "_s)};
+}
+
+bool Device::isTelemetryFrame(int id) const
+{
+    const auto message = Message(id);
+    const MessageSpec *spec = findMessage(message);
+    return (spec && spec->isStreamed) || message == Message::Status || message == Message::Telemetry
+        || message == Message::Ping;
+}
+
+Result<RawCommand> Device::parseCommand(const QString &text) const
+{
+    const QStringList words = text.simplified().split(u' ', Qt::SkipEmptyParts);
+    if (words.isEmpty())
+        return failure(ErrorCode::InvalidArgument, u"nothing to send"_s);
+    const MessageSpec *spec = findMessage(words.front());
+    if (!spec || !isTyped(*spec, m_generation))
+        return failure(ErrorCode::InvalidArgument,
+                       spec ? u"%1 is not sent from here"_s.arg(words.front())
+                            : u"there is no message '%1'"_s.arg(words.front()));
+    std::vector<double> numbers;
+    for (const QString &word : words.mid(1)) {
+        bool ok = false;
+        const double number = word.toDouble(&ok);
+        if (!ok)
+            return failure(ErrorCode::InvalidArgument, u"'%1' is no number"_s.arg(word));
+        numbers.push_back(number);
+    }
+    const auto payload = encodeFields(*spec->fromGround, numbers);
+    if (!payload)
+        return tl::unexpected(payload.error());
+    return RawCommand{QString::fromLatin1(spec->name), encode(spec->id, *payload, m_generation),
+                      riskOf(spec->id)};
+}
+
+QStringList Device::commandNames() const
+{
+    QStringList names;
+    for (const MessageSpec &message : messages()) {
+        if (isTyped(message, m_generation))
+            names.append(QString::fromLatin1(message.name));
+    }
+    return names;
+}
+
+}  // namespace bcflight

@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/bcflight/luatext.h"
+
+#include <QRegularExpression>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace bcflight {
+
+namespace {
+
+bool isWordLetter(char letter)
+{
+    return std::isalnum(static_cast<unsigned char>(letter)) || letter == '_';
+}
+
+// Length of the opening of a long bracket, "[[" or "[==[", at this place; 0: there is none.
+qsizetype longBracket(const QByteArray &text, qsizetype at)
+{
+    if (at >= text.size() || text[at] != '[')
+        return 0;
+    qsizetype end = at + 1;
+    while (end < text.size() && text[end] == '=')
+        ++end;
+    return end < text.size() && text[end] == '[' ? end - at + 1 : 0;
+}
+
+void blank(QByteArray &code, qsizetype from, qsizetype to)
+{
+    for (qsizetype i = from; i < to; ++i) {
+        if (code[i] != '\n')
+            code[i] = ' ';
+    }
+}
+
+// Behind a long bracket that opens here.
+qsizetype endOfLong(const QByteArray &text, qsizetype at, qsizetype opening)
+{
+    const QByteArray closing = ']' + QByteArray(opening - 2, '=') + ']';
+    const qsizetype end = text.indexOf(closing, at + opening);
+    return end < 0 ? text.size() : end + closing.size();
+}
+
+// Behind a quoted string that opens here; an unfinished one ends with its line.
+qsizetype endOfQuoted(const QByteArray &text, qsizetype at)
+{
+    for (qsizetype end = at + 1; end < text.size(); ++end) {
+        if (text[end] == '\\')
+            ++end;
+        else if (text[end] == text[at])
+            return end + 1;
+        else if (text[end] == '\n')
+            return end;
+    }
+    return text.size();
+}
+
+void skipSpace(const QByteArray &code, qsizetype &at)
+{
+    while (at < code.size() && std::isspace(static_cast<unsigned char>(code[at])))
+        ++at;
+}
+
+bool take(const QByteArray &code, qsizetype &at, char wanted)
+{
+    skipSpace(code, at);
+    if (at >= code.size() || code[at] != wanted)
+        return false;
+    ++at;
+    return true;
+}
+
+bool takeWord(const QByteArray &code, qsizetype &at, QByteArrayView wanted)
+{
+    skipSpace(code, at);
+    if (!QByteArrayView(code).sliced(at).startsWith(wanted))
+        return false;
+    const qsizetype end = at + wanted.size();
+    if (end < code.size() && isWordLetter(code[end]))
+        return false;
+    at = end;
+    return true;
+}
+
+std::optional<Literal> takeNumber(const QByteArray &code, qsizetype &at)
+{
+    static const QRegularExpression number(uR"(\G-?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?(?![\w.]))"_s);
+    skipSpace(code, at);
+    const QString rest = QString::fromLatin1(
+        QByteArrayView(code).sliced(at).first(std::min<qsizetype>(code.size() - at, 64)));
+    const auto match = number.match(rest, 0, QRegularExpression::NormalMatch,
+                                    QRegularExpression::AnchorAtOffsetMatchOption);
+    if (!match.hasMatch())
+        return {};
+    bool ok = false;
+    const double value = match.captured().toDouble(&ok);
+    if (!ok || !std::isfinite(value))
+        return {};
+    const Literal literal{at, at + match.capturedLength(), value};
+    at = literal.to;
+    return literal;
+}
+
+// Where `name =` is set, each place behind the sign.
+std::vector<qsizetype> assignments(const QByteArray &code, const QByteArray &name)
+{
+    std::vector<qsizetype> places;
+    for (qsizetype at = code.indexOf(name); at >= 0; at = code.indexOf(name, at + 1)) {
+        if (at > 0 && (isWordLetter(code[at - 1]) || code[at - 1] == '.'))
+            continue;
+        qsizetype next = at;
+        if (!takeWord(code, next, name))
+            continue;
+        if (take(code, next, '=') && !(next < code.size() && code[next] == '='))
+            places.push_back(next);
+    }
+    return places;
+}
+
+QString lines(const QByteArray &text, const std::vector<qsizetype> &places)
+{
+    QStringList numbers;
+    for (const qsizetype place : places)
+        numbers.append(QString::number(lineAt(text, place)));
+    return numbers.join(u", "_s);
+}
+
+Error notFound(const QString &name)
+{
+    return {ErrorCode::ConditionUnmet, u"%1 is not set in the text"_s.arg(name), 0};
+}
+
+Error ambiguous(const QByteArray &text, const QString &name, const std::vector<qsizetype> &places)
+{
+    return {ErrorCode::ConditionUnmet,
+            u"%1 is set more than once, in lines %2"_s.arg(name, lines(text, places)), 0};
+}
+
+// The end of a statement, or of an entry of a table.
+bool endsThere(const QByteArray &code, qsizetype at)
+{
+    while (at < code.size() && (code[at] == ' ' || code[at] == '\t' || code[at] == '\r'))
+        ++at;
+    return at >= code.size() || code[at] == '\n' || code[at] == ',' || code[at] == ';' || code[at] == '}';
+}
+
+}  // namespace
+
+QByteArray onlyCode(const QByteArray &text)
+{
+    QByteArray code = text;
+    for (qsizetype at = 0; at < text.size();) {
+        const bool isComment = text[at] == '-' && at + 1 < text.size() && text[at + 1] == '-';
+        const qsizetype from = isComment ? at + 2 : at;
+        if (const qsizetype opening = longBracket(text, from); opening > 0) {
+            const qsizetype end = endOfLong(text, from, opening);
+            blank(code, at, end);
+            at = end;
+        } else if (isComment) {
+            const qsizetype line = text.indexOf('\n', at);
+            const qsizetype end = line < 0 ? text.size() : line;
+            blank(code, at, end);
+            at = end;
+        } else if (text[at] == '"' || text[at] == '\'') {
+            const qsizetype end = endOfQuoted(text, at);
+            blank(code, at + 1, std::max(at + 1, end - 1));
+            at = end;
+        } else {
+            ++at;
+        }
+    }
+    return code;
+}
+
+int lineAt(const QByteArray &text, qsizetype position)
+{
+    return int(std::count(text.begin(), text.begin() + std::min(position, text.size()), '\n')) + 1;
+}
+
+Result<GainLiterals> findGains(const QByteArray &text, const QString &name)
+{
+    const QByteArray code = onlyCode(text);
+    const auto places = assignments(code, name.toLatin1());
+    if (places.empty())
+        return tl::unexpected(notFound(name));
+    if (places.size() > 1)
+        return tl::unexpected(ambiguous(text, name, places));
+    qsizetype at = places.front();
+    GainLiterals gains;
+    bool isPlain = takeWord(code, at, "PID") && take(code, at, '(');
+    for (std::size_t i = 0; i < gains.size() && isPlain; ++i) {
+        const auto literal = takeNumber(code, at);
+        isPlain = literal && take(code, at, i + 1 < gains.size() ? ',' : ')');
+        if (literal)
+            gains[i] = *literal;
+    }
+    if (!isPlain)
+        return failure(
+            ErrorCode::ConditionUnmet,
+            u"line %1: %2 is no PID( ... ) of three plain numbers"_s.arg(lineAt(text, places.front()))
+                .arg(name));
+    return gains;
+}
+
+Result<double> findScale(const QByteArray &text, const QString &name)
+{
+    const QByteArray code = onlyCode(text);
+    const auto places = assignments(code, name.toLatin1());
+    if (places.empty())
+        return 1.0;
+    if (places.size() > 1)
+        return tl::unexpected(ambiguous(text, name, places));
+    qsizetype at = places.front();
+    double product = 1;
+    for (bool isMore = true; isMore; isMore = take(code, at, '*')) {
+        const auto factor = takeNumber(code, at);
+        if (!factor)
+            return failure(
+                ErrorCode::ConditionUnmet,
+                u"line %1: %2 is no product of plain numbers"_s.arg(lineAt(text, places.front())).arg(name));
+        product *= factor->value;
+        if (endsThere(code, at))
+            return product;
+    }
+    return failure(
+        ErrorCode::ConditionUnmet,
+        u"line %1: %2 is no product of plain numbers"_s.arg(lineAt(text, places.front())).arg(name));
+}
+
+Result<std::array<double, 3>> findScales(const QByteArray &text)
+{
+    std::array<double, 3> scales{};
+    const std::array names{u"PID.pscale"_s, u"PID.iscale"_s, u"PID.dscale"_s};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto scale = findScale(text, names[i]);
+        if (!scale)
+            return tl::unexpected(scale.error());
+        scales[i] = *scale;
+    }
+    return scales;
+}
+
+QByteArray replaced(const QByteArray &text, const Literal &literal, double value)
+{
+    QByteArray number;
+    for (int digits = 1; digits <= 9; ++digits) {
+        number = QByteArray::number(value, 'g', digits);
+        if (number.toFloat() == float(value))
+            break;
+    }
+    return text.first(literal.from) + number + text.sliced(literal.to);
+}
+
+std::vector<MotorMix> findMotors(const QByteArray &text)
+{
+    const QByteArray code = onlyCode(text);
+    std::vector<MotorMix> motors;
+    for (qsizetype found = code.indexOf("Vector"); found >= 0; found = code.indexOf("Vector", found + 1)) {
+        qsizetype at = found;
+        if ((found > 0 && isWordLetter(code[found - 1])) || !takeWord(code, at, "Vector")
+            || !take(code, at, '('))
+            continue;
+        MotorMix mix{};
+        bool isPlain = true;
+        for (std::size_t i = 0; i < mix.size() && isPlain; ++i) {
+            const auto literal = takeNumber(code, at);
+            isPlain = literal && take(code, at, i + 1 < mix.size() ? ',' : ')');
+            mix[i] = literal ? literal->value : 0;
+        }
+        if (isPlain)
+            motors.push_back(mix);
+    }
+    return motors;
+}
+
+}  // namespace bcflight

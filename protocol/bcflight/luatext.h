@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is found and replaced in a drone's configuration text (errata 7.2). It is Lua; it is read, never run.
+#pragma once
+
+#include "protocol/base/result.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <array>
+#include <vector>
+
+namespace bcflight {
+
+/// A number in the text: where it stands, from a byte to behind one.
+struct Literal
+{
+    qsizetype from = 0;
+    qsizetype to = 0;
+    double value = 0;
+};
+
+/// The three numbers of `name = PID( p, i, d )`.
+using GainLiterals = std::array<Literal, 3>;
+
+/// Finds a name's three gains. Errors: ConditionUnmet (not there outside comments and strings, or more than
+/// once, or something else than three plain numbers; the detail has the lines).
+[[nodiscard]] Result<GainLiterals> findGains(const QByteArray &text, const QString &name);
+
+/// Value of `name = a * b ...`, a number or a product of numbers; 1 where the name is not set. Errors:
+/// ConditionUnmet.
+[[nodiscard]] Result<double> findScale(const QByteArray &text, const QString &name);
+
+/// The three scales of gains: PID.pscale, .iscale, .dscale.
+[[nodiscard]] Result<std::array<double, 3>> findScales(const QByteArray &text);
+
+/// The text with another number there; all else stays byte for byte. As short as it reads back the same in
+/// single precision, which is what the drone computes with.
+[[nodiscard]] QByteArray replaced(const QByteArray &text, const Literal &literal, double value);
+
+/// How a motor takes part in each motion: roll, pitch, yaw, thrust.
+using MotorMix = std::array<double, 4>;
+/// The rows `Vector( roll, pitch, yaw, thrust )` of the motors, in their order. Empty: none was found, or
+/// they are not four plain numbers each.
+[[nodiscard]] std::vector<MotorMix> findMotors(const QByteArray &text);
+
+/// The line, from 1, in which a byte stands.
+[[nodiscard]] int lineAt(const QByteArray &text, qsizetype position);
+
+/// The same text with spaces for comments and the contents of strings, so that what is found in it is code.
+[[nodiscard]] QByteArray onlyCode(const QByteArray &text);
+
+}  // namespace bcflight
