@@ -2868,15 +2868,15 @@
     </message>
     <message>
         <source>Calibrating: leave the drone alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibriert: die Drohne in Ruhe lassen</translation>
     </message>
     <message>
         <source>The motor is tested; the drone hears nothing meanwhile</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor wird geprüft; die Drohne hört währenddessen nichts</translation>
     </message>
     <message>
         <source>The motor controllers are calibrated; the drone hears nothing meanwhile</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Motorregler werden kalibriert; die Drohne hört währenddessen nichts</translation>
     </message>
 </context>
 <context>
@@ -13494,6 +13494,518 @@ Spitze %2°</translation>
     <message>
         <source>not present</source>
         <translation>nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>A step of its own table, from 1.</source>
+        <translation>Eine Stufe seiner eigenen Tabelle, ab 1.</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Acceleration x</source>
+        <translation>Beschleunigung x</translation>
+    </message>
+    <message>
+        <source>Acceleration y</source>
+        <translation>Beschleunigung y</translation>
+    </message>
+    <message>
+        <source>Acceleration z</source>
+        <translation>Beschleunigung z</translation>
+    </message>
+    <message>
+        <source>All motors get full throttle for 8 s. The drone hears nothing for 26 s, also no stop.</source>
+        <translation>Alle Motoren bekommen 8 s lang Vollgas. Die Drohne hört 26 s lang nichts, auch keinen Stopp.</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>Scharf</translation>
+    </message>
+    <message>
+        <source>Armed, calibrated, battery, link.</source>
+        <translation>Scharf, kalibriert, Akku, Verbindung.</translation>
+    </message>
+    <message>
+        <source>At 5 % for 5 s. The drone hears nothing for 8 s, also no stop.</source>
+        <translation>Mit 5 % für 5 s. Die Drohne hört 8 s lang nichts, auch keinen Stopp.</translation>
+    </message>
+    <message>
+        <source>Attitude</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Attitude and sensors in each packet.</source>
+        <translation>Lage und Sensoren in jedem Paket.</translation>
+    </message>
+    <message>
+        <source>Band</source>
+        <translation>Band</translation>
+    </message>
+    <message>
+        <source>Band and channel.</source>
+        <translation>Band und Kanal.</translation>
+    </message>
+    <message>
+        <source>Battery level</source>
+        <translation>Akkustand</translation>
+    </message>
+    <message>
+        <source>Boscam A</source>
+        <translation>Boscam A</translation>
+    </message>
+    <message>
+        <source>Boscam B</source>
+        <translation>Boscam B</translation>
+    </message>
+    <message>
+        <source>Boscam E</source>
+        <translation>Boscam E</translation>
+    </message>
+    <message>
+        <source>By one step; what it is cannot be read.</source>
+        <translation>Um eine Stufe; wie es ist, kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Calibrate all sensors</source>
+        <translation>Alle Sensoren kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrate motor controllers</source>
+        <translation>Motorregler kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrated</source>
+        <translation>Kalibriert</translation>
+    </message>
+    <message>
+        <source>Calibrating</source>
+        <translation>Kalibriert gerade</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Camera settings</source>
+        <translation>Kameraeinstellungen</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>Change the picture</source>
+        <translation>Bild ändern</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Channel and power.</source>
+        <translation>Kanal und Leistung.</translation>
+    </message>
+    <message>
+        <source>Charge drawn</source>
+        <translation>Entnommene Ladung</translation>
+    </message>
+    <message>
+        <source>Configuration</source>
+        <translation>Konfiguration</translation>
+    </message>
+    <message>
+        <source>Configuration text</source>
+        <translation>Konfigurationstext</translation>
+    </message>
+    <message>
+        <source>Confirmed by the drone, and not applied.</source>
+        <translation>Von der Drohne bestätigt und nicht angewendet.</translation>
+    </message>
+    <message>
+        <source>Control loop</source>
+        <translation>Regelschleife</translation>
+    </message>
+    <message>
+        <source>Counts the charge from 0 and the cells anew.</source>
+        <translation>Zählt die Ladung ab 0 und die Zellen neu.</translation>
+    </message>
+    <message>
+        <source>Disarmed</source>
+        <translation>Entschärft</translation>
+    </message>
+    <message>
+        <source>Disarms and stops all motors, in flight as well: it falls.</source>
+        <translation>Entschärft sie und hält alle Motoren an, auch im Flug: sie fällt.</translation>
+    </message>
+    <message>
+        <source>Drone</source>
+        <translation>Drohne</translation>
+    </message>
+    <message>
+        <source>FatShark</source>
+        <translation>FatShark</translation>
+    </message>
+    <message>
+        <source>Flight mode</source>
+        <translation>Flugmodus</translation>
+    </message>
+    <message>
+        <source>Full telemetry</source>
+        <translation>Volle Telemetrie</translation>
+    </message>
+    <message>
+        <source>Gyro x</source>
+        <translation>Gyro x</translation>
+    </message>
+    <message>
+        <source>Gyro y</source>
+        <translation>Gyro y</translation>
+    </message>
+    <message>
+        <source>Gyro z</source>
+        <translation>Gyro z</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Horizon</source>
+        <translation>Horizont</translation>
+    </message>
+    <message>
+        <source>How hard the motors work against an error of the rate. In the drone&apos;s own numbers: the value of the configuration times its scale.</source>
+        <translation>Wie stark die Motoren gegen einen Fehler der Drehrate arbeiten. In den Zahlen der Drohne: Wert der Konfiguration mal ihr Faktor.</translation>
+    </message>
+    <message>
+        <source>How hard they work against a change of the rate. In the drone&apos;s own numbers.</source>
+        <translation>Wie stark sie gegen eine Änderung der Drehrate arbeiten. In den Zahlen der Drohne.</translation>
+    </message>
+    <message>
+        <source>How hard they work against an error that stays. In the drone&apos;s own numbers.</source>
+        <translation>Wie stark sie gegen einen bleibenden Fehler arbeiten. In den Zahlen der Drohne.</translation>
+    </message>
+    <message>
+        <source>Keeps the present one.</source>
+        <translation>Behält den jetzigen.</translation>
+    </message>
+    <message>
+        <source>Let it lie level and still.</source>
+        <translation>Waagerecht und ruhig liegen lassen.</translation>
+    </message>
+    <message>
+        <source>Let it lie still. A drone without a full calibration does that one instead.</source>
+        <translation>Ruhig liegen lassen. Eine Drohne ohne vollständige Kalibrierung macht stattdessen diese.</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Lock white balance</source>
+        <translation>Weißabgleich festhalten</translation>
+    </message>
+    <message>
+        <source>Magnetometer x</source>
+        <translation>Magnetometer x</translation>
+    </message>
+    <message>
+        <source>Magnetometer y</source>
+        <translation>Magnetometer y</translation>
+    </message>
+    <message>
+        <source>Magnetometer z</source>
+        <translation>Magnetometer z</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Motor 1</source>
+        <translation>Motor 1</translation>
+    </message>
+    <message>
+        <source>Motor 2</source>
+        <translation>Motor 2</translation>
+    </message>
+    <message>
+        <source>Motor 3</source>
+        <translation>Motor 3</translation>
+    </message>
+    <message>
+        <source>Motor 4</source>
+        <translation>Motor 4</translation>
+    </message>
+    <message>
+        <source>Motor 5</source>
+        <translation>Motor 5</translation>
+    </message>
+    <message>
+        <source>Motor 6</source>
+        <translation>Motor 6</translation>
+    </message>
+    <message>
+        <source>Motor 7</source>
+        <translation>Motor 7</translation>
+    </message>
+    <message>
+        <source>Motor 8</source>
+        <translation>Motor 8</translation>
+    </message>
+    <message>
+        <source>Motors driven</source>
+        <translation>Motoren angetrieben</translation>
+    </message>
+    <message>
+        <source>Names and sizes of what the drone has recorded.</source>
+        <translation>Namen und Größen dessen, was die Drohne aufgenommen hat.</translation>
+    </message>
+    <message>
+        <source>New battery</source>
+        <translation>Neuer Akku</translation>
+    </message>
+    <message>
+        <source>Next white balance</source>
+        <translation>Nächster Weißabgleich</translation>
+    </message>
+    <message>
+        <source>Not calibrated</source>
+        <translation>Nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>Notch spectrum pitch</source>
+        <translation>Kerbspektrum Pitch</translation>
+    </message>
+    <message>
+        <source>Notch spectrum roll</source>
+        <translation>Kerbspektrum Roll</translation>
+    </message>
+    <message>
+        <source>Notch spectrum yaw</source>
+        <translation>Kerbspektrum Yaw</translation>
+    </message>
+    <message>
+        <source>Outer D</source>
+        <translation>Äußeres D</translation>
+    </message>
+    <message>
+        <source>Pitch rate</source>
+        <translation>Drehrate Pitch</translation>
+    </message>
+    <message>
+        <source>Pitch rate for D</source>
+        <translation>Drehrate Pitch für D</translation>
+    </message>
+    <message>
+        <source>Processor load</source>
+        <translation>Prozessorlast</translation>
+    </message>
+    <message>
+        <source>Processor temperature</source>
+        <translation>Prozessortemperatur</translation>
+    </message>
+    <message>
+        <source>RaceBand</source>
+        <translation>RaceBand</translation>
+    </message>
+    <message>
+        <source>Rate controller</source>
+        <translation>Drehratenregler</translation>
+    </message>
+    <message>
+        <source>Rates</source>
+        <translation>Drehraten</translation>
+    </message>
+    <message>
+        <source>Receive level</source>
+        <translation>Empfangspegel</translation>
+    </message>
+    <message>
+        <source>Receive quality</source>
+        <translation>Empfangsqualität</translation>
+    </message>
+    <message>
+        <source>Record on the drone</source>
+        <translation>Auf der Drohne aufnehmen</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Roll rate</source>
+        <translation>Drehrate Roll</translation>
+    </message>
+    <message>
+        <source>Roll rate for D</source>
+        <translation>Drehrate Roll für D</translation>
+    </message>
+    <message>
+        <source>Sensitivity and shutter.</source>
+        <translation>Empfindlichkeit und Belichtungszeit.</translation>
+    </message>
+    <message>
+        <source>Set channel</source>
+        <translation>Kanal setzen</translation>
+    </message>
+    <message>
+        <source>Set clock</source>
+        <translation>Uhr stellen</translation>
+    </message>
+    <message>
+        <source>Set power</source>
+        <translation>Leistung setzen</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Stabilised also starts the attitude anew.</source>
+        <translation>Stabilisiert beginnt auch die Lage neu.</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Store gains</source>
+        <translation>Verstärkungen speichern</translation>
+    </message>
+    <message>
+        <source>Switches to the next one and tells which.</source>
+        <translation>Schaltet zum nächsten und sagt, welcher es ist.</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>System</translation>
+    </message>
+    <message>
+        <source>Test bench</source>
+        <translation>Prüfstand</translation>
+    </message>
+    <message>
+        <source>The drone confirms these gains, and does not apply them: today&apos;s firmware always reports 0. They stand in the configuration text.</source>
+        <translation>Die Drohne bestätigt diese Verstärkungen und wendet sie nicht an: die heutige Firmware meldet immer 0. Sie stehen im Konfigurationstext.</translation>
+    </message>
+    <message>
+        <source>The drone confirms whatever it does.</source>
+        <translation>Die Drohne bestätigt es, was sie auch tut.</translation>
+    </message>
+    <message>
+        <source>The propellers are off</source>
+        <translation>Die Propeller sind abgenommen</translation>
+    </message>
+    <message>
+        <source>Thrust</source>
+        <translation>Schub</translation>
+    </message>
+    <message>
+        <source>To the time of this computer.</source>
+        <translation>Auf die Zeit dieses Rechners.</translation>
+    </message>
+    <message>
+        <source>Turn one motor</source>
+        <translation>Einen Motor drehen</translation>
+    </message>
+    <message>
+        <source>Until it is switched off.</source>
+        <translation>Bis es abgeschaltet wird.</translation>
+    </message>
+    <message>
+        <source>Video transmitter</source>
+        <translation>Videosender</translation>
+    </message>
+    <message>
+        <source>What the drone takes for level is turned by this. It forgets it when it restarts.</source>
+        <translation>Um so viel wird verdreht, was die Drohne für waagerecht hält. Beim Neustart vergisst sie es.</translation>
+    </message>
+    <message>
+        <source>What the drone tells of its board.</source>
+        <translation>Was die Drohne über ihr Board sagt.</translation>
+    </message>
+    <message>
+        <source>What the drone tells of its cameras.</source>
+        <translation>Was die Drohne über ihre Kameras sagt.</translation>
+    </message>
+    <message>
+        <source>What the drone tells of its sensors.</source>
+        <translation>Was die Drohne über ihre Sensoren sagt.</translation>
+    </message>
+    <message>
+        <source>Writes the gains in use into the configuration text, one number each, and uploads it: the drone restarts.</source>
+        <translation>Schreibt die benutzten Verstärkungen in den Konfigurationstext, je eine Zahl, und lädt ihn hoch: die Drohne startet neu.</translation>
+    </message>
+    <message>
+        <source>Yaw rate</source>
+        <translation>Drehrate Yaw</translation>
+    </message>
+    <message>
+        <source>Yaw rate for D</source>
+        <translation>Drehrate Yaw für D</translation>
+    </message>
+    <message>
+        <source>brightness.down</source>
+        <translation>dunkler</translation>
+    </message>
+    <message>
+        <source>brightness.up</source>
+        <translation>heller</translation>
+    </message>
+    <message>
+        <source>calibrating</source>
+        <translation>kalibriert gerade</translation>
+    </message>
+    <message>
+        <source>contrast.down</source>
+        <translation>weniger Kontrast</translation>
+    </message>
+    <message>
+        <source>contrast.up</source>
+        <translation>mehr Kontrast</translation>
+    </message>
+    <message>
+        <source>drone</source>
+        <translation>Drohne</translation>
+    </message>
+    <message>
+        <source>iso.down</source>
+        <translation>unempfindlicher</translation>
+    </message>
+    <message>
+        <source>iso.up</source>
+        <translation>empfindlicher</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>rate</source>
+        <translation>Drehrate</translation>
+    </message>
+    <message>
+        <source>saturation.down</source>
+        <translation>weniger Sättigung</translation>
+    </message>
+    <message>
+        <source>saturation.up</source>
+        <translation>mehr Sättigung</translation>
+    </message>
+    <message>
+        <source>stabilised</source>
+        <translation>stabilisiert</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
     </message>
 </context>
 <context>
