@@ -27,6 +27,7 @@ constexpr auto kOutputsCome = 1s;
 constexpr auto kLeaves = 10s;  // fixed waits of about 4 s before it restarts (errata 7.3)
 constexpr auto kComesBack = 20s;
 constexpr std::uint32_t kAccepted = 3;
+constexpr int kStopRounds = 5;
 constexpr int kBandSize = 8;
 
 constexpr std::array kPictureSteps{Message::BrightnessUp, Message::BrightnessDown, Message::ContrastUp,
@@ -81,10 +82,8 @@ Result<ActionReply> Device::perform(Channel &channel, const QString &key, const 
         = [&arguments](const char *name) { return arguments.value(QLatin1String(name)).toInt(); };
     if (is("status"))
         return tellStatus(channel);
-    if (is("motors.off")) {
-        channel.stopMotors(stopPlan());
-        return ActionReply();
-    }
+    if (is("motors.off"))
+        return stopMotors(channel);
     if (is("board") || is("sensors") || is("cameras"))
         return tellInfo(channel,
                         is("board")         ? Message::GetBoardInfos
@@ -142,6 +141,26 @@ Result<ActionReply> Device::perform(Channel &channel, const QString &key, const 
     if (is("recordings"))
         return tellRecordings(channel);
     return failure(ErrorCode::Unsupported, key);
+}
+
+// What the stop plan sends, in a row with other steps: until the drone says that it is disarmed.
+Result<ActionReply> Device::stopMotors(Channel &channel)
+{
+    const StopPlan plan = stopPlan();
+    Result<Status> now = failure(ErrorCode::Timeout);
+    for (int round = 0; round < kStopRounds; ++round) {
+        for (const Request &request : plan.means.front().requests) {
+            if (!request.answer)
+                channel.post(request);
+        }
+        now = status(channel);
+        if (now && !now->armed)
+            return ActionReply();
+        if (!now && now.error().code != ErrorCode::Timeout)
+            break;
+    }
+    return now ? failure(ErrorCode::NotProven, u"the drone says that it is armed"_s)
+               : tl::unexpected(now.error());
 }
 
 Result<ActionReply> Device::tellStatus(Channel &channel)

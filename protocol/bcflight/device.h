@@ -84,6 +84,7 @@ private:
     // actions.cpp
     Result<ActionReply> calibrate(Channel &channel, bool isFull);
     Result<ActionReply> storeGains(Channel &channel);
+    Result<ActionReply> stopMotors(Channel &channel);
     Result<ActionReply> testMotor(Channel &channel, int motor);
     Result<ActionReply> calibrateEscs(Channel &channel);
     Result<ActionReply> transmitter(Channel &channel, const Request &request) const;

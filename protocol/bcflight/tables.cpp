@@ -121,7 +121,7 @@ constexpr ActionSpec kActions[] = {
     {.key = "mode", .label = "Flight mode", .help = "Stabilised also starts the attitude anew.", .group = "Drone", .risk = ActionRisk::Writes, .arguments = kModeChoice, .since = kFrom, .needs = kDisarmed, .isShown = false},
     {.key = "gains.store", .label = "Store gains", .help = "Writes the gains in use into the configuration text, one number each, and uploads it: the drone restarts.",
      .group = "Configuration", .risk = ActionRisk::Writes, .isProcedure = true, .since = kFrom, .memory = MemoryEffect::Stores, .needs = kDisarmed, .provesStore = true},
-    {.key = "motors.beep", .label = "Beep with the motors", .help = "Until it is switched off.", .group = "Test bench", .risk = ActionRisk::Moves, .arguments = kOn, .since = kFrom, .needs = kDisarmed, .answered = false},
+    {.key = "motors.beep", .label = "Beep with the motors", .help = "Until it is switched off.", .group = "Test bench", .risk = ActionRisk::Moves, .arguments = kOn, .since = kFrom, .needs = kDisarmed, .isShown = false},
     {.key = "motor.test", .label = "Turn one motor", .help = "At 5 % for 5 s. The drone hears nothing for 8 s, also no stop.", .group = "Test bench", .risk = ActionRisk::Moves, .arguments = kMotorNumber,
      .isProcedure = true, .since = kFrom, .needs = kForMotors, .confirm = kPropellers, .silence = 9s, .isShown = false},
     {.key = "escs.calibrate", .label = "Calibrate motor controllers", .help = "All motors get full throttle for 8 s. The drone hears nothing for 26 s, also no stop.", .group = "Test bench", .risk = ActionRisk::Moves,

@@ -103,6 +103,19 @@ Request question(const QString &family)
     if (family == u"storm32"_s)
         return storm32::simpleRequest(storm32::Simple::Version);
 #endif
+#if GIMBAL_WITH_BCFLIGHT
+    if (family == u"bcflight"_s) {
+        Request request;
+        request.name = u"PING"_s;
+        request.bytes = QByteArray::fromHex("8100000000");
+        request.answer = [](const FrameView &frame) -> std::optional<Result<Frame>> {
+            return frame.id == 0x81 ? std::optional(Result<Frame>(Frame(frame))) : std::nullopt;
+        };
+        request.retries = 5;  // it throws the first packet away
+        request.idempotent = true;
+        return request;
+    }
+#endif
     qFatal("no question for %s", qPrintable(family));
 }
 

@@ -586,7 +586,7 @@ void TestCtl::helpListsCommandsAndFamilies()
 {
     const Run help = ctl({u"--help"_s}, false);
     QCOMPARE(help.exitCode, 0);
-    QVERIFY(help.out.contains(u"F: simplebgc or storm32\n"_s));
+    QVERIFY(help.out.contains(u"F: simplebgc or storm32 or bcflight\n"_s));
     QVERIFY(help.out.contains(u".cfg for STorM32"_s));
     QVERIFY(help.out.contains(u"--history DIR"_s));
     for (const char *command : kCommands)

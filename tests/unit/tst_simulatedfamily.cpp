@@ -198,7 +198,7 @@ void TestSimulatedFamily::familiesAreFoundByKey()
     const auto none = findSimulatedFamily(allSimulatedFamilies(), u"toaster"_s);
     QVERIFY(!none);
     QStringList keys;
-    for (const QString &key : {u"simplebgc"_s, u"storm32"_s}) {
+    for (const QString &key : {u"simplebgc"_s, u"storm32"_s, u"bcflight"_s}) {
         if (isBuiltIn(key))
             keys.append(key);
     }

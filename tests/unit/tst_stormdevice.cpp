@@ -30,7 +30,7 @@ LinkAddress serialAddress()
 Result<FoundBoard> find(Channel &channel, ::Device &device)
 {
     const QList<Family> known = allFamilies();
-    const Family &asked = dynamic_cast<storm32::Device *>(&device) ? known.last() : known.first();
+    const Family asked = dynamic_cast<storm32::Device *>(&device) ? storm32::family() : known.first();
     return findBoard(channel, asked, device, known, serialAddress());
 }
 
