@@ -4134,6 +4134,10 @@
         <source>%1 holds no samples: none came in the time shown.</source>
         <translation>%1 enthält keine Werte: In der gezeigten Zeit kamen keine.</translation>
     </message>
+    <message>
+        <source>as the board streams it</source>
+        <translation>wie das Board sie von sich aus sendet</translation>
+    </message>
 </context>
 <context>
     <name>MovementForm</name>
@@ -4988,10 +4992,6 @@ dieses zeigen.</translation>
         <translation>Live-Kurve</translation>
     </message>
     <message>
-        <source>polled</source>
-        <translation>abgefragt</translation>
-    </message>
-    <message>
         <source>%1 to %2/s</source>
         <translation>%1 bis %2/s</translation>
     </message>
@@ -5010,6 +5010,10 @@ dieses zeigen.</translation>
     <message>
         <source>earlier from %1 to %2 %3</source>
         <translation>vorher von %1 bis %2 %3</translation>
+    </message>
+    <message>
+        <source>no fixed rate</source>
+        <translation>ohne feste Rate</translation>
     </message>
 </context>
 <context>

@@ -417,7 +417,8 @@ void StatusStrip::refresh()
     m_temperature->setText(temperatureText(celsius, m_workspace.settings().fahrenheit()));
     const auto faults = m_workspace.faults();
     if (faults.empty()) {
-        m_faults->setText(m_workspace.motorsRunning() ? tr("no errors") : QString());
+        // Only a board that tells its errors tells that it has none.
+        m_faults->setText(m_workspace.motorsRunning() && roles.faults >= 0 ? tr("no errors") : QString());
         return;
     }
     QStringList names;

@@ -67,6 +67,10 @@ void Tour::addStepsOf(const QString &family)
     if (family == u"storm32"_s)
         addFamilySteps(family);
 #endif
+#if GIMBAL_WITH_BCFLIGHT
+    if (family == u"bcflight"_s)
+        addDroneSteps(family);
+#endif
 }
 
 void Tour::begin()

@@ -51,6 +51,7 @@ private:
     void addDialogSteps();
     void addReplaySteps();
     void addFamilySteps(const QString &family);
+    void addDroneSteps(const QString &family);
     void addFamilyWatchSteps(const QString &family);
     void addFamilyTuningSteps(const QString &family);
     void addSensorSteps(const QString &family);

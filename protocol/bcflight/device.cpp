@@ -426,6 +426,7 @@ Result<TelemetryPlan> Device::subscribe(Channel &, const Subscription &subscript
     plan.poll->repeated = true;
     plan.pollInterval = kStatusPeriod;
     plan.rate = kNoStream;
+    plan.isStreamedUnasked = true;
     return plan;
 }
 

@@ -78,7 +78,7 @@ constexpr ChannelSpec kChannels[] = {
     {"battery.current", "Current", "State", "A", 1, Axis::None, 0, 60, "current"},
     {"battery.level", "Battery level", "State", "%", 0, Axis::None, 0, 100},
     {"cpu.load", "Processor load", "State", "%", 0, Axis::None, 0, 100},
-    {"cpu.temperature", "Processor temperature", "State", "°C", 0, Axis::None, 0, 100, "temperature"},
+    {"cpu.temperature", "Processor temperature", "State", "°C", 0, Axis::None, 0, 100},
     {"rx.quality", "Receive quality", "Link", "%", 0, Axis::None, 0, 100},
     {"rx.level", "Receive level", "Link", "dBm", 0, Axis::None, -120, 0},
     {"loops", "Control loop", "State", "/s", 0, Axis::None, 0, 10000},

@@ -15,6 +15,8 @@ struct TelemetryPlan
     /// Rows per second that a faster line would carry, where the line has thinned them out; else 0.
     double fullRate = 0;
     bool streaming = false;
+    /// Beside what is asked for, the board streams by itself, at a rate of its own.
+    bool isStreamedUnasked = false;
     StreamBudget budget;
     QByteArray shutdownFrames;  ///< frames that end the streams, for disconnecting
 };

@@ -18,6 +18,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTableView>
 
 using namespace Qt::StringLiterals;
 
@@ -31,6 +32,7 @@ private slots:
     void pagesAreListedOrFillThemselves();
     void gainsAreSetAndTold();
     void liveDataCome();
+    void consoleLeavesHeartbeatsOut();
 
 private:
     MainWindow &window() { return m_rig->window(); }
@@ -81,6 +83,31 @@ void TestBcflightWindow::liveDataCome()
     QTRY_VERIFY(m_rig->workspace().latest(bcflight::BatteryVolts) > 10);
     QTRY_COMPARE(m_rig->workspace().motorsRunning(), std::optional(false));
     QVERIFY(!m_rig->workspace().freshness().staleSince());
+    // It tells no errors: that there are none is not said. Nor is said that it is asked for what it streams.
+    for (const QLabel *label : window().findChildren<QLabel *>())
+        QVERIFY2(!label->text().contains(u"no errors"_s) && !label->text().contains(u"polled"_s),
+                 qPrintable(label->text()));
+}
+
+// What is sent all the time to stay connected is no news.
+void TestBcflightWindow::consoleLeavesHeartbeatsOut()
+{
+    QVERIFY(window().showPage(u"console"_s));
+    const auto *table = window().page(u"console"_s)->findChild<QTableView *>();
+    QVERIFY(table);
+    QVERIFY(m_rig->jobsAreDone());
+    const auto names = [table] {
+        QStringList list;
+        for (int row = 0; row < table->model()->rowCount(); ++row)
+            list.append(table->model()->index(row, 2).data().toString());
+        return list;
+    };
+    QTRY_VERIFY(names().contains(u"— Connected —"_s));
+    const qsizetype pings = names().count(u"PING"_s);  // asked for while it was looked for
+    QVERIFY(m_rig->boardGoesOn(1));
+    const auto told = m_rig->workspace().perform(u"vtx"_s, {});
+    QTRY_VERIFY(told.isFinished() && names().contains(u"VTX_GET_SETTINGS"_s));
+    QCOMPARE(names().count(u"PING"_s), pings);
 }
 
 QTEST_MAIN(TestBcflightWindow)

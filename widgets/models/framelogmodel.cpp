@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/framelogmodel.h"
 
+#include "protocol/device/family.h"
 #include "widgets/models/numbertext.h"
 
 #include <algorithm>
@@ -73,9 +74,11 @@ void FrameLogModel::refresh()
         // Live data are frames that the board sends repeatedly, polled or unsolicited; not errors and
         // notices.
         const FrameInspector *inspector = m_client.device() ? m_client.device()->inspector() : nullptr;
-        std::erase_if(fresh, [inspector, poll = m_client.pollBytes()](const LoggedFrame &frame) {
+        const QString beat = heartbeatName();
+        std::erase_if(fresh, [inspector, beat, poll = m_client.pollBytes()](const LoggedFrame &frame) {
             if (!frame.fromBoard)
-                return !poll.isEmpty() && frame.bytes == poll;
+                return (!poll.isEmpty() && frame.bytes == poll)
+                    || (!beat.isEmpty() && inspector->describeSent(frame.bytes).name == beat);
             return (!frame.claimed || !poll.isEmpty()) && inspector && inspector->isTelemetryFrame(frame.id);
         });
     }
@@ -83,6 +86,19 @@ void FrameLogModel::refresh()
     for (LoggedFrame &frame : fresh)
         rows.push_back({std::move(frame), {}});
     addRows(std::move(rows));
+}
+
+// What is sent all the time to stay connected; its content may differ each time.
+QString FrameLogModel::heartbeatName() const
+{
+    const FrameInspector *inspector = m_client.device() ? m_client.device()->inspector() : nullptr;
+    const QList<Family> families = m_client.families();
+    const auto family = std::find_if(families.begin(), families.end(), [this](const Family &each) {
+        return each.key == m_client.identity().family;
+    });
+    return inspector && family != families.end() && family->timing.heartbeat
+        ? inspector->describeSent(family->timing.heartbeat()).name
+        : QString();
 }
 
 void FrameLogModel::addRows(std::vector<Row> fresh)

@@ -418,9 +418,9 @@ void PlotView::updateRateText()
     const auto number = [](double value) { return shortNumberText(value, 4); };
     QString text;
     if (fastest <= 0)
-        text = irregular ? tr("polled") : QString();
+        text = irregular ? tr("no fixed rate") : QString();
     else if (slowest < fastest || irregular)
-        text = tr("%1 to %2/s").arg(irregular ? tr("polled") : number(slowest), number(fastest));
+        text = tr("%1 to %2/s").arg(irregular ? tr("no fixed rate") : number(slowest), number(fastest));
     else
         text = tr("%1/s, true to %2 Hz").arg(number(fastest), number(fastest / 2));
     if (text == m_rateText)

@@ -565,6 +565,8 @@ void MonitorPage::updateNote()
     else if (plan.streaming && plan.budget.capacity > 0)
         parts.append(tr("%1 % of the line")
                          .arg(numberText(100.0 * plan.budget.bytesPerSecond() / plan.budget.capacity, 0)));
+    else if (plan.isStreamedUnasked)
+        parts.append(tr("as the board streams it"));
     else if (plan.poll)
         parts.append(tr("polled, up to %1 samples/s").arg(numberText(plan.rate, 0)));
     const QString thinned = thinningText(plan.rate, plan.fullRate, plan.budget);
