@@ -149,6 +149,14 @@ const LinkStatistics &DeviceClient::statistics() const
     return d->statistics;
 }
 
+QByteArray DeviceClient::heartbeatBytes() const
+{
+    const auto family = std::find_if(d->families.begin(), d->families.end(),
+                                     [this](const Family &each) { return each.key == identity().family; });
+    return family != d->families.end() && family->timing.heartbeat ? family->timing.heartbeat()
+                                                                   : QByteArray();
+}
+
 QByteArray DeviceClient::pollBytes() const
 {
     return d->plan.poll ? d->plan.poll->bytes : QByteArray();

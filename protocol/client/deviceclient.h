@@ -56,6 +56,8 @@ public:
     [[nodiscard]] const LinkStatistics &statistics() const;
     /// The request that polls live data; empty if the board streams it by itself.
     [[nodiscard]] QByteArray pollBytes() const;
+    /// What is sent all the time to stay connected, as it would be now; empty if the family wants nothing.
+    [[nodiscard]] QByteArray heartbeatBytes() const;
     [[nodiscard]] const std::optional<LineSettings> &line() const;
     [[nodiscard]] bool isBusy() const;
     /// The listener receives everything on the link, on the I/O thread, until it is removed or the client is

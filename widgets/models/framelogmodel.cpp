@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/framelogmodel.h"
 
-#include "protocol/device/family.h"
 #include "widgets/models/numbertext.h"
 
 #include <algorithm>
@@ -74,7 +73,9 @@ void FrameLogModel::refresh()
         // Live data are frames that the board sends repeatedly, polled or unsolicited; not errors and
         // notices.
         const FrameInspector *inspector = m_client.device() ? m_client.device()->inspector() : nullptr;
-        const QString beat = heartbeatName();
+        const QByteArray heartbeat = m_client.heartbeatBytes();
+        const QString beat
+            = inspector && !heartbeat.isEmpty() ? inspector->describeSent(heartbeat).name : QString();
         std::erase_if(fresh, [inspector, beat, poll = m_client.pollBytes()](const LoggedFrame &frame) {
             if (!frame.fromBoard)
                 return (!poll.isEmpty() && frame.bytes == poll)
@@ -86,19 +87,6 @@ void FrameLogModel::refresh()
     for (LoggedFrame &frame : fresh)
         rows.push_back({std::move(frame), {}});
     addRows(std::move(rows));
-}
-
-// What is sent all the time to stay connected; its content may differ each time.
-QString FrameLogModel::heartbeatName() const
-{
-    const FrameInspector *inspector = m_client.device() ? m_client.device()->inspector() : nullptr;
-    const QList<Family> families = m_client.families();
-    const auto family = std::find_if(families.begin(), families.end(), [this](const Family &each) {
-        return each.key == m_client.identity().family;
-    });
-    return inspector && family != families.end() && family->timing.heartbeat
-        ? inspector->describeSent(family->timing.heartbeat()).name
-        : QString();
 }
 
 void FrameLogModel::addRows(std::vector<Row> fresh)

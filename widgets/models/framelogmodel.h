@@ -43,7 +43,6 @@ private:
     void onState(DeviceClient::State state);
     void settle();
     void addRows(std::vector<Row> fresh);
-    [[nodiscard]] QString heartbeatName() const;
     void addMark(const QString &what, const QString &more = {});
     [[nodiscard]] static bool isMark(const Row &row) { return row.frame.number == 0; }
     [[nodiscard]] const FrameText &textOf(const Row &row) const;
