@@ -5015,6 +5015,10 @@ dieses zeigen.</translation>
         <source>no fixed rate</source>
         <translation>ohne feste Rate</translation>
     </message>
+    <message>
+        <source>no fixed rate, up to %1/s</source>
+        <translation>ohne feste Rate, bis %1/s</translation>
+    </message>
 </context>
 <context>
     <name>ProfileModel</name>

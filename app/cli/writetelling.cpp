@@ -4,6 +4,8 @@
 #include "app/cli/command.h"
 #include "widgets/models/errortext.h"
 
+#include <algorithm>
+
 using namespace Qt::StringLiterals;
 
 namespace {
@@ -149,6 +151,16 @@ void tellReport(CommandOutcome &outcome)
                   "this board does not tell"_s
                 : u"what else was set in use without being stored may be stored now as well: this board does "
                   "not tell"_s));
+    }
+    // What was written is in use, and that is all.
+    const bool isForNow
+        = std::any_of(report.lines.begin(), report.lines.end(), [&report](const WriteLine &line) {
+              const BlockSpec *block = report.before.parameters().block(line.spec->row->block);
+              return line.state == WriteState::Verified && block && block->effect == WriteEffect::Volatile;
+          });
+    if (isForNow) {
+        json.insert(u"untilRestart"_s, true);
+        notes.append(u"in use until the board restarts, and not stored"_s);
     }
     if (!outcome.note.isEmpty())
         notes.append(outcome.note.trimmed());

@@ -11,23 +11,7 @@ using namespace Qt::StringLiterals;
 
 void Tour::addDroneSteps(const QString &family)
 {
-    Workspace &workspace = m_window.workspace();
-    m_steps.append({{},
-                    [this, family] {
-                        m_window.workspace().client().disconnectFromBoard();
-                        m_window.openLink(u"sim:"_s + family);
-                        m_window.showPage(u"monitor"_s);
-                    },
-                    [&workspace, family] {
-                        return workspace.client().isConnected()
-                            && workspace.client().identity().family == family
-                            && !workspace.configuration().isEmpty()
-                            && std::as_const(workspace.configuration()).board().identity().family == family
-                            && workspace.motorsRunning().has_value();
-                    },
-                    3000,
-                    {},
-                    false});
+    addConnecting(family);
     for (const QString &page : {u"dashboard"_s, u"monitor"_s, u"parameters"_s, u"tuning"_s, u"documents"_s,
                                 u"actions"_s, u"console"_s, u"backups"_s})
         m_steps.append({family + u'-' + page, show(page), {}, 1500, {}, page == u"dashboard"_s});

@@ -50,23 +50,7 @@ void Tour::addFamilySteps(const QString &family)
 // Connects to the family's simulated board first.
 void Tour::addFamilyWatchSteps(const QString &family)
 {
-    Workspace &workspace = m_window.workspace();
-    m_steps.append({{},
-                    [this, family] {
-                        m_window.workspace().client().disconnectFromBoard();
-                        m_window.openLink(u"sim:"_s + family);
-                        m_window.showPage(u"monitor"_s);
-                    },
-                    [&workspace, family] {
-                        return workspace.client().isConnected()
-                            && workspace.client().identity().family == family
-                            && !workspace.configuration().isEmpty()
-                            && std::as_const(workspace.configuration()).board().identity().family == family
-                            && workspace.motorsRunning().has_value();
-                    },
-                    3000,
-                    {},
-                    false});
+    addConnecting(family);
     m_steps.append({pictureName(family, u"dashboard"_s), show(u"dashboard"_s), {}, 2500, {}, false});
     m_steps.append({pictureName(family, u"monitor"_s), show(u"monitor"_s), {}, 2500, {}, true});
     m_steps.append({pictureName(family, u"parameters"_s),

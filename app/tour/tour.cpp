@@ -73,6 +73,28 @@ void Tour::addStepsOf(const QString &family)
 #endif
 }
 
+// To the family's simulated board, from whatever was connected before.
+void Tour::addConnecting(const QString &family)
+{
+    Workspace &workspace = m_window.workspace();
+    m_steps.append({{},
+                    [this, family] {
+                        m_window.workspace().client().disconnectFromBoard();
+                        m_window.openLink(u"sim:"_s + family);
+                        m_window.showPage(u"monitor"_s);
+                    },
+                    [&workspace, family] {
+                        return workspace.client().isConnected()
+                            && workspace.client().identity().family == family
+                            && !workspace.configuration().isEmpty()
+                            && std::as_const(workspace.configuration()).board().identity().family == family
+                            && workspace.motorsRunning().has_value();
+                    },
+                    3000,
+                    {},
+                    false});
+}
+
 void Tour::begin()
 {
     ++m_at;

@@ -42,6 +42,7 @@ private:
     };
     void addSteps();
     void addStepsOf(const QString &family);
+    void addConnecting(const QString &family);
     void addSimpleBgcSteps();
     void addEditSteps();
     void addCalibrationSteps();

@@ -86,8 +86,9 @@ Result<WriteReport> Writer::run()
     const int active = m_base.activeProfile();
     m_report.storesUse
         = answersWithUse(m_device)
-        && std::any_of(m_report.lines.begin(), m_report.lines.end(), [active](const WriteLine &line) {
+        && std::any_of(m_report.lines.begin(), m_report.lines.end(), [this, active](const WriteLine &line) {
                return line.profile == active
+                   && specOf({line.profile, line.spec->row->block}).effect != WriteEffect::Volatile
                    && (line.state == WriteState::Verified || line.state == WriteState::RolledBack
                        || line.state == WriteState::Unknown);
            });

@@ -70,7 +70,7 @@ Result<void> Writer::verify()
         const std::vector<bool> mask = uncheckedBytes(key.block);
         // What the board had answered before already, because it used it, proves nothing.
         const bool isUntold = answersWithUse(m_device) && key.profile == m_base.activeProfile()
-            && m_answered[key] == expected;
+            && m_answered[key] == expected && specOf(key).effect != WriteEffect::Volatile;
         for (qsizetype i = 0; i < expected.size(); ++i) {
             const bool isState = std::size_t(i) < mask.size() && mask[std::size_t(i)];
             if (!isState && (i >= bytes->size() || (*bytes)[i] != expected[i]))

@@ -52,7 +52,11 @@ void TestBcflightCtl::theDayOfADrone()
     QVERIFY2(monitor.exitCode == 0 && monitor.out.count(u'\n') > 20, qPrintable(monitor.err));
 
     // In use is not stored.
-    QCOMPARE(good({u"set"_s, u"pid.roll.p=0.0018"_s}).exitCode, 0);
+    const Run set = good({u"set"_s, u"pid.roll.p=0.0018"_s});
+    QCOMPARE(set.exitCode, 0);
+    QVERIFY2(set.err.contains(u"in use until the board restarts, and not stored"_s)
+                 && !set.err.contains(u"stored now"_s),
+             qPrintable(set.err));
     QVERIFY(good({u"get"_s, u"pid.roll.p"_s}).out.contains(u"0.0018"_s));
     QCOMPARE(good({u"dump"_s, path(u"before.json"_s)}).exitCode, 0);
     const Run stored = good({u"do"_s, u"gains.store"_s});

@@ -419,8 +419,10 @@ void PlotView::updateRateText()
     QString text;
     if (fastest <= 0)
         text = irregular ? tr("no fixed rate") : QString();
-    else if (slowest < fastest || irregular)
-        text = tr("%1 to %2/s").arg(irregular ? tr("no fixed rate") : number(slowest), number(fastest));
+    else if (irregular)
+        text = tr("no fixed rate, up to %1/s").arg(number(fastest));
+    else if (slowest < fastest)
+        text = tr("%1 to %2/s").arg(number(slowest), number(fastest));
     else
         text = tr("%1/s, true to %2 Hz").arg(number(fastest), number(fastest / 2));
     if (text == m_rateText)
