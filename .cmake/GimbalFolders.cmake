@@ -41,13 +41,13 @@ gimbal_precompile(gimbal_pch_screen screen.h Qt6::Widgets tl::expected)
 # local to a file have to be unique within its folder. Tools that read compile_commands.json want each file by itself.
 option(GIMBAL_UNITY "Compile the sources of a folder together" ON)
 
-# gimbal_moc(target source output): AUTOMOC would take a step and an object of its own for each folder. moc gets no include paths: it
+# gimbal_moc(target source output options...): AUTOMOC would take a step and an object of its own for each folder. moc gets no include paths: it
 # needs nothing from there, and reading what Qt's headers include takes ten times as long. gimbal_moc_target has to follow in the
 # same directory: listed in a target without dependencies, moc waits for no library.
 function(gimbal_moc target source output)
     get_filename_component(folder ${output} DIRECTORY)
     file(MAKE_DIRECTORY ${folder})
-    add_custom_command(OUTPUT ${output} COMMAND Qt6::moc ${source} -o ${output} DEPENDS ${source} VERBATIM)
+    add_custom_command(OUTPUT ${output} COMMAND Qt6::moc ${ARGN} ${source} -o ${output} DEPENDS ${source} VERBATIM)
     target_sources(${target} PRIVATE ${output})
     set_property(DIRECTORY APPEND PROPERTY GIMBAL_MOCS ${output})
 endfunction()
@@ -78,7 +78,7 @@ function(gimbal_folder path)
     target_link_libraries(${name} PUBLIC gimbal_options Threads::Threads)
     gimbal_meta_objects(${name} ${path} ${headers})
     set_target_properties(${name} PROPERTIES UNITY_BUILD ${GIMBAL_UNITY} UNITY_BUILD_BATCH_SIZE 12)
-    if(path MATCHES "^(protocol/|widgets/models|app/composition|app/cli)")
+    if(path MATCHES "^(protocol/|widgets/models|widgets/gamepad|app/composition|app/cli)")
         gimbal_reuse(${name} gimbal_pch_core)
     else()
         gimbal_reuse(${name} gimbal_pch_screen)
@@ -91,6 +91,28 @@ function(gimbal_folder path)
             target_link_libraries(${name} PUBLIC ${dep})
         endif()
     endforeach()
+endfunction()
+
+# gimbal_module(name path libraries...): a library that a program loads when it is first needed, with whatever it needs that would cost
+# at every start. It sees headers of its floors only, and links none of them. It lies beside the programs, and is installed in a
+# folder of its own.
+include(GNUInstallDirs)
+file(RELATIVE_PATH GIMBAL_MODULES_FROM_PROGRAMS /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR}/gimbaldesk)
+function(gimbal_module name path)
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${path}/*.cpp)
+    file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${path}/*.h)
+    add_library(gimbaldesk-${name} MODULE ${sources} ${headers})
+    target_link_libraries(gimbaldesk-${name} PRIVATE gimbal_options Qt6::Core tl::expected ${ARGN})
+    foreach(header ${headers})
+        file(STRINGS ${header} found REGEX "^ *Q_(OBJECT|PLUGIN)" LIMIT_COUNT 1)
+        if(NOT found)
+            continue()
+        endif()
+        get_filename_component(stem ${header} NAME_WE)  # our headers are read along: one of them declares the module's interface
+        gimbal_moc(gimbaldesk-${name} ${header} ${CMAKE_BINARY_DIR}/${path}/moc_${stem}.cpp -I ${CMAKE_SOURCE_DIR})
+    endforeach()
+    set_target_properties(gimbaldesk-${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/modules)
+    install(TARGETS gimbaldesk-${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/gimbaldesk)
 endfunction()
 
 function(gimbal_program name source)

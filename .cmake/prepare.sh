@@ -6,7 +6,8 @@
 gimbal_packages=(
     cmake ninja-build mold g++ qt6-base-dev qt6-serialport-dev qt6-charts-dev libqt6opengl6-dev qt6-svg-dev
     qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools libexpected-dev libeigen3-dev libgl-dev libxkbcommon-dev fonts-dejavu-core
-    qt6-qpa-plugins libqscintilla2-qt6-dev qt6-translations-l10n libluajit-5.1-dev
+    qt6-qpa-plugins libqscintilla2-qt6-dev qt6-translations-l10n libluajit-5.1-dev libsdl2-dev
+    pkg-config libavcodec-dev libavformat-dev libswscale-dev libavutil-dev
 )
 
 # gimbal_install [PACKAGE...]: what building needs, and these packages beside it

@@ -9,7 +9,7 @@ int main(int argc, char **argv)
 {
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("gimbalctl"));
-    Ctl ctl(allFamilies(), allLinks());
+    Ctl ctl(allFamilies() + recordedFamilies(), allLinks());
     QObject::connect(
         &ctl, &Ctl::finished, &application, [](int code) { QCoreApplication::exit(code); },
         Qt::QueuedConnection);

@@ -77,8 +77,14 @@ void addOptions(QCommandLineParser &parser)
 {
     parser.setApplicationDescription(u"Configure, tune and watch gimbal controllers."_s);
     const QCommandLineOption link(u"link"_s, u"Connect to this address at start."_s, u"address"_s);
-    const QCommandLineOption demo(u"demo"_s, u"Connect to a simulated board (of this family)."_s,
-                                  u"family"_s);
+    QStringList families;
+    for (const Family &family : allFamilies())
+        families.append(family.key);
+    const QCommandLineOption demo(
+        u"demo"_s,
+        u"Connect to a simulated board, of the first family if none is named: %1."_s.arg(
+            families.join(u", "_s)),
+        u"family"_s);
     const QCommandLineOption tour(u"tour"_s, u"Write a picture of each page to this folder and end."_s,
                                   u"dir"_s);
     const QCommandLineOption tourAll(
@@ -222,7 +228,7 @@ int main(int argc, char **argv)
     if (!address)
         return wrong(address.error().detail);
 
-    MainWindow window(allLinks(), allFamilies(), theme, settings);
+    MainWindow window(allLinks(), allFamilies() + recordedFamilies(), theme, settings);
     QObject::connect(&window, &MainWindow::languageDue, &window,
                      [&translations](const QString &wanted) { translations.setLanguage(wanted); });
     // What only some boards have is shown once such a board is connected.

@@ -12,10 +12,6 @@
         <translation>nein</translation>
     </message>
     <message>
-        <source>Changes nothing</source>
-        <translation>Ändert nichts</translation>
-    </message>
-    <message>
         <source>⚠ Can move the camera or change how it is held, until the next start</source>
         <translation>⚠ Kann die Kamera bewegen oder ändern, wie sie gehalten wird, bis zum nächsten Start</translation>
     </message>
@@ -94,6 +90,142 @@
     <message>
         <source>Do nothing</source>
         <translation>Nichts tun</translation>
+    </message>
+    <message>
+        <source>Changes nothing that is stored</source>
+        <translation>Ändert nichts Gespeichertes</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>Scharf</translation>
+    </message>
+    <message>
+        <source>Band</source>
+        <translation>Band</translation>
+    </message>
+    <message>
+        <source>Charge drawn</source>
+        <translation>Entnommene Ladung</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>Battery level</source>
+        <translation>Akkustand</translation>
+    </message>
+    <message>
+        <source>Battery voltage</source>
+        <translation>Akkuspannung</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>Bytes</translation>
+    </message>
+    <message>
+        <source>Calibrated</source>
+        <translation>Kalibriert</translation>
+    </message>
+    <message>
+        <source>Being calibrated</source>
+        <translation>Wird kalibriert</translation>
+    </message>
+    <message>
+        <source>Values changed</source>
+        <translation>Geänderte Werte</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Confirmed</source>
+        <translation>Bestätigt</translation>
+    </message>
+    <message>
+        <source>Processor load</source>
+        <translation>Prozessorlast</translation>
+    </message>
+    <message>
+        <source>Processor temperature</source>
+        <translation>Prozessortemperatur</translation>
+    </message>
+    <message>
+        <source>Exposure mode</source>
+        <translation>Belichtungsart</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>Sensitivity (ISO)</source>
+        <translation>Empfindlichkeit (ISO)</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Power step</source>
+        <translation>Leistungsstufe</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>Powers it has (dBm)</source>
+        <translation>Mögliche Leistungen (dBm)</translation>
+    </message>
+    <message>
+        <source>Restarts in</source>
+        <translation>Neustart in</translation>
+    </message>
+    <message>
+        <source>Receive level</source>
+        <translation>Empfangspegel</translation>
+    </message>
+    <message>
+        <source>Receive quality</source>
+        <translation>Empfangsqualität</translation>
+    </message>
+    <message>
+        <source>Shutter</source>
+        <translation>Verschluss</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Voltage</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>White balance</source>
+        <translation>Weißabgleich</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Fehler</translation>
     </message>
 </context>
 <context>
@@ -272,10 +404,6 @@
     <message>
         <source>The board reports a low battery: %1 V.</source>
         <translation>Das Board meldet einen schwachen Akku: %1 V.</translation>
-    </message>
-    <message>
-        <source>No new live data for more than %1 s while the gimbal is steered.</source>
-        <translation>Mehr als %1 s keine neuen Live-Daten, während der Gimbal gesteuert wird.</translation>
     </message>
     <message>
         <source>Each is driven by the other&apos;s error: the axes are swapped, in the wiring, in the motor outputs or in how the sensor is mounted. If they are not, both motors turn in the wrong direction.</source>
@@ -513,6 +641,26 @@
         <source>When it is empty the motors let go, and what they hold falls.</source>
         <translation>Ist er leer, lassen die Motoren los, und was sie halten, fällt.</translation>
     </message>
+    <message>
+        <source>The motors are driven although the drone says that it is disarmed.</source>
+        <translation>Die Motoren werden angetrieben, obwohl die Drohne sagt, dass sie entschärft ist.</translation>
+    </message>
+    <message>
+        <source>Something has let its outputs go on: a link that closed while it was armed, or a motor test.</source>
+        <translation>Etwas hat ihre Ausgänge weiterlaufen lassen: eine Verbindung, die in scharfem Zustand schloss, oder ein Motortest.</translation>
+    </message>
+    <message>
+        <source>Stop the motors, and keep clear of the propellers.</source>
+        <translation>Motoren anhalten und Abstand von den Propellern halten.</translation>
+    </message>
+    <message>
+        <source>Motors driven while disarmed</source>
+        <translation>Motoren laufen trotz Entschärfung</translation>
+    </message>
+    <message>
+        <source>No new live data for more than %1 s while it is steered.</source>
+        <translation>Seit mehr als %1 s keine neuen Live-Daten, während gesteuert wird.</translation>
+    </message>
 </context>
 <context>
     <name>ArgumentForm</name>
@@ -523,6 +671,61 @@
     <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>ArmedState</name>
+    <message>
+        <source>State of the drone</source>
+        <translation>Zustand der Drohne</translation>
+    </message>
+    <message>
+        <source>Not calibrated</source>
+        <translation>Nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>Calibrating</source>
+        <translation>Wird kalibriert</translation>
+    </message>
+    <message>
+        <source>Disarmed</source>
+        <translation>Entschärft</translation>
+    </message>
+    <message>
+        <source>MOTORS DRIVEN</source>
+        <translation>MOTOREN LAUFEN</translation>
+    </message>
+    <message>
+        <source>ARMED</source>
+        <translation>SCHARF</translation>
+    </message>
+    <message>
+        <source>State not known</source>
+        <translation>Zustand unbekannt</translation>
+    </message>
+    <message>
+        <source>It cannot be armed before a calibration.</source>
+        <translation>Vor einer Kalibrierung lässt sie sich nicht scharf schalten.</translation>
+    </message>
+    <message>
+        <source>It lies still until this is over.</source>
+        <translation>Sie bleibt ruhig liegen, bis das vorbei ist.</translation>
+    </message>
+    <message>
+        <source>Propellers may turn at any moment.</source>
+        <translation>Die Propeller können jeden Moment drehen.</translation>
+    </message>
+    <message>
+        <source>Take it for armed: nothing tells it at present.</source>
+        <translation>Für scharf halten: gerade meldet es niemand.</translation>
+    </message>
+    <message>
+        <source>It is not armed, and drives motors all the same: keep clear.</source>
+        <translation>Sie ist nicht scharf und treibt trotzdem Motoren an: Abstand halten.</translation>
+    </message>
+    <message>
+        <source>Calibrated.</source>
+        <translation>Kalibriert.</translation>
     </message>
 </context>
 <context>
@@ -1026,6 +1229,242 @@
     </message>
 </context>
 <context>
+    <name>BenchPage</name>
+    <message>
+        <source>Test bench</source>
+        <translation>Prüfstand</translation>
+    </message>
+    <message>
+        <source>Beep</source>
+        <translation>Piepsen</translation>
+    </message>
+    <message>
+        <source>Stop beeping</source>
+        <translation>Piepsen beenden</translation>
+    </message>
+    <message>
+        <source>Turn one motor</source>
+        <translation>Einen Motor drehen</translation>
+    </message>
+    <message>
+        <source>⚠ Propellers off. The motor turns at 5 % for 5 s; the drone hears nothing for 8 s, also no stop.</source>
+        <translation>⚠ Propeller ab. Der Motor dreht 5 s lang mit 5 %; die Drohne hört 8 s lang nichts, auch keinen Stopp.</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>How long the drone still hears nothing</source>
+        <translation>Wie lange die Drohne noch nichts hört</translation>
+    </message>
+    <message>
+        <source>&amp;Motor</source>
+        <translation>&amp;Motor</translation>
+    </message>
+    <message>
+        <source>Find it by its sound</source>
+        <translation>Am Ton wiederfinden</translation>
+    </message>
+    <message>
+        <source>The motors beep until they are told to stop. The drone does not say whether they do.</source>
+        <translation>Die Motoren piepsen, bis das beendet wird. Ob sie es tun, sagt die Drohne nicht.</translation>
+    </message>
+    <message>
+        <source>Not connected.</source>
+        <translation>Nicht verbunden.</translation>
+    </message>
+    <message>
+        <source>This drone is only looked at: its generation of the protocol is not known well enough.</source>
+        <translation>Diese Drohne wird nur angesehen: Die Generation ihres Protokolls ist nicht gut genug bekannt.</translation>
+    </message>
+    <message>
+        <source>The drone is armed.</source>
+        <translation>Die Drohne ist scharf.</translation>
+    </message>
+    <message>
+        <source>Motors are driven already.</source>
+        <translation>Es werden schon Motoren angetrieben.</translation>
+    </message>
+    <message>
+        <source>Whether it is armed is not known at present.</source>
+        <translation>Ob sie scharf ist, ist gerade nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>It calibrates.</source>
+        <translation>Sie kalibriert gerade.</translation>
+    </message>
+    <message>
+        <source>Turn motor %1…</source>
+        <translation>Motor %1 drehen…</translation>
+    </message>
+    <message>
+        <source>Turn a motor…</source>
+        <translation>Einen Motor drehen…</translation>
+    </message>
+    <message>
+        <source>Click a motor, or choose its number.</source>
+        <translation>Einen Motor anklicken oder seine Nummer wählen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The drone has %n motor(s).</source>
+        <translation>
+            <numerusform>Die Drohne hat %n Motor.</numerusform>
+            <numerusform>Die Drohne hat %n Motoren.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>That the propellers are off is asked each time.</source>
+        <translation>Dass die Propeller ab sind, wird jedes Mal gefragt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The drone hears nothing for %n more second(s), also no stop. Stop motors (F12) is then the first thing that it hears. To stop it at once: its battery.</source>
+        <translation>
+            <numerusform>Die Drohne hört noch %n Sekunde lang nichts, auch keinen Stopp. Motoren stoppen (F12) ist danach das Erste, was sie hört. Sofort hilft nur ihr Akku.</numerusform>
+            <numerusform>Die Drohne hört noch %n Sekunden lang nichts, auch keinen Stopp. Motoren stoppen (F12) ist danach das Erste, was sie hört. Sofort hilft nur ihr Akku.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Sent: beep</source>
+        <translation>Gesendet: piepsen</translation>
+    </message>
+    <message>
+        <source>Sent: stop</source>
+        <translation>Gesendet: beenden</translation>
+    </message>
+    <message>
+        <source>The calibration of the motor controllers is over. Whether they took it only their tones tell.</source>
+        <translation>Die Kalibrierung der Motorregler ist vorbei. Ob sie sie übernommen haben, sagen nur ihre Töne.</translation>
+    </message>
+    <message>
+        <source>Calibrate it first: without that, a motor test hangs it until it is switched off.</source>
+        <translation>Kalibrieren Sie sie zuerst: Sonst hängt sie bei einem Motortest, bis sie ausgeschaltet wird.</translation>
+    </message>
+    <message>
+        <source>The drone does not stream its outputs, so nobody knows how many motors it has. Switch full telemetry on.</source>
+        <translation>Die Drohne sendet ihre Ausgänge nicht, darum weiß niemand, wie viele Motoren sie hat. Schalten Sie die volle Telemetrie ein.</translation>
+    </message>
+    <message>
+        <source>Full telemetry (Actions)…</source>
+        <translation>Volle Telemetrie (Aktionen) …</translation>
+    </message>
+    <message>
+        <source>Calibrate (Actions)…</source>
+        <translation>Kalibrieren (Aktionen) …</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>in the middle</source>
+        <translation>in der Mitte</translation>
+    </message>
+    <message>
+        <source>top left</source>
+        <translation>oben links</translation>
+    </message>
+    <message>
+        <source>top right</source>
+        <translation>oben rechts</translation>
+    </message>
+    <message>
+        <source>at the top</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>bottom left</source>
+        <translation>unten links</translation>
+    </message>
+    <message>
+        <source>bottom right</source>
+        <translation>unten rechts</translation>
+    </message>
+    <message>
+        <source>at the bottom</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>Motor %1, %2 in the picture. Until it is over no other can be chosen.</source>
+        <translation>Motor %1, im Bild %2. Bis es vorbei ist, lässt sich kein anderer wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>BlackBoxModel</name>
+    <message>
+        <source>changed</source>
+        <translation>geändert</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+</context>
+<context>
+    <name>BlackBoxPage</name>
+    <message>
+        <source>Black box</source>
+        <translation>Blackbox</translation>
+    </message>
+    <message>
+        <source>Next change</source>
+        <translation>Nächste Änderung</translation>
+    </message>
+    <message>
+        <source>Names (Ctrl+F)</source>
+        <translation>Namen (Strg+F)</translation>
+    </message>
+    <message>
+        <source>Show only names that hold these words</source>
+        <translation>Nur Namen zeigen, in denen diese Wörter vorkommen</translation>
+    </message>
+    <message>
+        <source>To the next changed value of the chosen column (F3)</source>
+        <translation>Zum nächsten geänderten Wert der gewählten Spalte (F3)</translation>
+    </message>
+    <message>
+        <source>Lines of the black box</source>
+        <translation>Zeilen der Blackbox</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>Wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Open the black box of a drone to see its lines.</source>
+        <translation>Öffnen Sie die Blackbox einer Drohne, um ihre Zeilen zu sehen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s)</source>
+        <translation>
+            <numerusform>%n Zeile</numerusform>
+            <numerusform>%n Zeilen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n name(s)</source>
+        <translation>
+            <numerusform>%n Name</numerusform>
+            <numerusform>%n Namen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 s. Values that differ from the line before are bold.</source>
+        <translation>%1 s. Werte, die von der Zeile davor abweichen, sind fett.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) of the file could not be read.</source>
+        <translation>
+            <numerusform>%n Stelle der Datei ließ sich nicht lesen.</numerusform>
+            <numerusform>%n Stellen der Datei ließen sich nicht lesen.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>BoardNameDialog</name>
     <message>
         <source>Store the name on the board as well</source>
@@ -1470,6 +1909,182 @@
     </message>
 </context>
 <context>
+    <name>CameraPage</name>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take a picture</source>
+        <translation>Foto machen</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>Vollbild</translation>
+    </message>
+    <message>
+        <source>Saves the video as it comes, without encoding it again (Matroska)</source>
+        <translation>Sichert das Video so, wie es kommt, ohne es neu zu kodieren (Matroska)</translation>
+    </message>
+    <message>
+        <source>Saves the picture in its full size (PNG)</source>
+        <translation>Sichert das Bild in voller Größe (PNG)</translation>
+    </message>
+    <message>
+        <source>F11, or a double click on the picture; Esc leaves it</source>
+        <translation>F11 oder ein Doppelklick auf das Bild; Esc verlässt es</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>How the video comes</source>
+        <translation>Wie das Video kommt</translation>
+    </message>
+    <message>
+        <source>Connection and files</source>
+        <translation>Verbindung und Dateien</translation>
+    </message>
+    <message>
+        <source>Address of the video</source>
+        <translation>Adresse des Videos</translation>
+    </message>
+    <message>
+        <source>HOST:PORT, HOST or :PORT. Empty: the drone&apos;s host, port %1.</source>
+        <translation>HOST:PORT, HOST oder :PORT. Leer: der Host der Drohne, Port %1.</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Folder for pictures and recordings</source>
+        <translation>Ordner für Bilder und Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Where pictures and recordings are saved. Empty: %1</source>
+        <translation>Wo Bilder und Aufnahmen gesichert werden. Leer: %1</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>The drone sends its video to whoever asked last: a second viewer takes it away.</source>
+        <translation>Die Drohne sendet ihr Video an den, der zuletzt gefragt hat: Ein zweiter Betrachter nimmt es weg.</translation>
+    </message>
+    <message>
+        <source>There is no video: the module libgimbaldesk-video is missing beside this program. Install it again.</source>
+        <translation>Es gibt kein Video: Neben diesem Programm fehlt das Modul libgimbaldesk-video. Das Programm neu installieren.</translation>
+    </message>
+    <message>
+        <source>The address %1 is not known in this network. Check it at the right.</source>
+        <translation>Die Adresse %1 ist in diesem Netz nicht bekannt. Rechts prüfen.</translation>
+    </message>
+    <message>
+        <source>Connect a drone to see its picture.</source>
+        <translation>Eine Drohne verbinden, um ihr Bild zu sehen.</translation>
+    </message>
+    <message>
+        <source>Waiting for video from %1 …</source>
+        <translation>Warten auf Video von %1 …</translation>
+    </message>
+    <message>
+        <source>No video comes from %1. The drone has no camera, the port is another one, or another viewer asked for it later.</source>
+        <translation>Von %1 kommt kein Video. Die Drohne hat keine Kamera, der Port ist ein anderer, oder ein anderer Betrachter hat danach gefragt.</translation>
+    </message>
+    <message>
+        <source>What comes from %1 is no video that is known here (H.264, MJPEG).</source>
+        <translation>Was von %1 kommt, ist kein hier bekanntes Video (H.264, MJPEG).</translation>
+    </message>
+    <message>
+        <source>Video comes from %1, and no picture could be decoded so far.</source>
+        <translation>Von %1 kommt Video, doch noch ließ sich kein Bild dekodieren.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 %3</source>
+        <translation>%1 × %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 Bilder/s</translation>
+    </message>
+    <message>
+        <source>%1 Mbit/s</source>
+        <translation>%1 Mbit/s</translation>
+    </message>
+    <message>
+        <source>%1 % lost</source>
+        <translation>%1 % verloren</translation>
+    </message>
+    <message>
+        <source>%1 ms behind</source>
+        <translation>%1 ms zurück</translation>
+    </message>
+    <message>
+        <source>no picture for %1 s</source>
+        <translation>seit %1 s kein Bild</translation>
+    </message>
+    <message>
+        <source>an old picture</source>
+        <translation>ein altes Bild</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) lost</source>
+        <translation>
+            <numerusform>%n Bild verloren</numerusform>
+            <numerusform>%n Bilder verloren</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged picture(s)</source>
+        <translation>
+            <numerusform>%n beschädigtes Bild</numerusform>
+            <numerusform>%n beschädigte Bilder</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) that could not be decoded</source>
+        <translation>
+            <numerusform>%n Bild, das sich nicht dekodieren ließ</numerusform>
+            <numerusform>%n Bilder, die sich nicht dekodieren ließen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>From a frame&apos;s first datagram to the screen; at most %1 ms lately</source>
+        <translation>Vom ersten Datagramm eines Bildes bis zum Bildschirm; zuletzt höchstens %1 ms</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Aufnahme beenden</translation>
+    </message>
+    <message>
+        <source>● waiting for a key frame</source>
+        <translation>● wartet auf ein Schlüsselbild</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded: no frame came that decoding can begin with.</source>
+        <translation>Nichts wurde aufgenommen: Es kam kein Bild, mit dem das Dekodieren beginnen kann.</translation>
+    </message>
+    <message>
+        <source>loss cannot be counted</source>
+        <translation>Verlust nicht zählbar</translation>
+    </message>
+    <message>
+        <source>Frames of MJPEG have no numbers: how many were lost nobody can tell</source>
+        <translation>Bilder in MJPEG haben keine Nummern: wie viele verloren gingen, kann niemand sagen</translation>
+    </message>
+    <message>
+        <source>There is no picture yet.</source>
+        <translation>Es gibt noch kein Bild.</translation>
+    </message>
+</context>
+<context>
     <name>ChangeModel</name>
     <message>
         <source>Profile name</source>
@@ -1503,6 +2118,10 @@
         <source>changed</source>
         <translation>geändert</translation>
     </message>
+    <message>
+        <source>+%1 −%2 lines</source>
+        <translation>+%1 −%2 Zeilen</translation>
+    </message>
 </context>
 <context>
     <name>ChannelModel</name>
@@ -1519,6 +2138,13 @@
         <translation>
             <numerusform>%n Wert</numerusform>
             <numerusform>%n Werte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) came that are no numbers, or not initialised; they are gaps.</source>
+        <translation>
+            <numerusform>%n Wert kam, der keine Zahl oder nicht initialisiert ist; er ist eine Lücke.</numerusform>
+            <numerusform>%n Werte kamen, die keine Zahlen oder nicht initialisiert sind; sie sind Lücken.</numerusform>
         </translation>
     </message>
 </context>
@@ -1852,7 +2478,7 @@
     </message>
     <message>
         <source>Frames received</source>
-        <translation>Frames empfangen</translation>
+        <translation>Empfangene Nachrichten</translation>
     </message>
     <message>
         <source>%1 per second</source>
@@ -1860,7 +2486,7 @@
     </message>
     <message>
         <source>Damaged frames</source>
-        <translation>Beschädigte Frames</translation>
+        <translation>Beschädigte Nachrichten</translation>
     </message>
     <message>
         <source>Answer time</source>
@@ -1950,6 +2576,10 @@
         <source>⚠ Whether the motors run is not known: the live data stand still.</source>
         <translation>⚠ Ob die Motoren laufen, ist nicht bekannt: Die Live-Daten stehen still.</translation>
     </message>
+    <message>
+        <source>Angles of the drone</source>
+        <translation>Winkel der Drohne</translation>
+    </message>
 </context>
 <context>
     <name>DebugModel</name>
@@ -2014,6 +2644,235 @@
     </message>
 </context>
 <context>
+    <name>DiffView</name>
+    <message numerus="yes">
+        <source>⋯ %n line(s) without a difference</source>
+        <translation>
+            <numerusform>⋯ %n Zeile ohne Unterschied</numerusform>
+            <numerusform>⋯ %n Zeilen ohne Unterschied</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>DirectionCard</name>
+    <message>
+        <source>Directions</source>
+        <translation>Richtungen</translation>
+    </message>
+    <message>
+        <source>as it is held</source>
+        <translation>wie sie gehalten wird</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>waagerecht</translation>
+    </message>
+    <message>
+        <source>right side down</source>
+        <translation>rechte Seite unten</translation>
+    </message>
+    <message>
+        <source>left side down</source>
+        <translation>linke Seite unten</translation>
+    </message>
+    <message>
+        <source>nose down</source>
+        <translation>Nase unten</translation>
+    </message>
+    <message>
+        <source>nose up</source>
+        <translation>Nase oben</translation>
+    </message>
+    <message>
+        <source>turned to the right</source>
+        <translation>nach rechts gedreht</translation>
+    </message>
+    <message>
+        <source>turned to the left</source>
+        <translation>nach links gedreht</translation>
+    </message>
+    <message>
+        <source>Simulated drone: your hands</source>
+        <translation>Simulierte Drohne: Ihre Hände</translation>
+    </message>
+    <message>
+        <source>Cancel the check</source>
+        <translation>Prüfung abbrechen</translation>
+    </message>
+    <message>
+        <source>Yes, those</source>
+        <translation>Ja, diese</translation>
+    </message>
+    <message>
+        <source>No, others</source>
+        <translation>Nein, andere</translation>
+    </message>
+    <message>
+        <source>Progress of the check</source>
+        <translation>Fortschritt der Prüfung</translation>
+    </message>
+    <message>
+        <source>%1 answers the wrong way round.</source>
+        <translation>%1 antwortet verkehrt herum.</translation>
+    </message>
+    <message>
+        <source>It would turn over as soon as it leaves the ground.</source>
+        <translation>Sie würde sich überschlagen, sobald sie abhebt.</translation>
+    </message>
+    <message>
+        <source>Do not fly it. Correct the axes, the motors&apos; places or the mixing in the configuration text, then check again.</source>
+        <translation>Nicht fliegen. Achsen, Plätze der Motoren oder Mischung im Konfigurationstext berichtigen, dann noch einmal prüfen.</translation>
+    </message>
+    <message>
+        <source>All directions were found right.</source>
+        <translation>Alle Richtungen stimmen.</translation>
+    </message>
+    <message>
+        <source>Checked with this drone and this configuration.</source>
+        <translation>Mit dieser Drohne und dieser Konfiguration geprüft.</translation>
+    </message>
+    <message>
+        <source>Angles and sticks are checked; what the motors answer is not.</source>
+        <translation>Winkel und Knüppel sind geprüft, die Antwort der Motoren nicht.</translation>
+    </message>
+    <message>
+        <source>Not checked. Nothing tells the program which way this drone counts its axes, so it is not armed until you have looked.</source>
+        <translation>Nicht geprüft. Nichts sagt dem Programm, in welcher Richtung diese Drohne ihre Achsen zählt; bevor Sie nachgesehen haben, wird sie nicht scharf geschaltet.</translation>
+    </message>
+    <message>
+        <source>Check again…</source>
+        <translation>Noch einmal prüfen …</translation>
+    </message>
+    <message>
+        <source>Check directions…</source>
+        <translation>Richtungen prüfen …</translation>
+    </message>
+    <message>
+        <source>Calibrate it first: its angles are not known before.</source>
+        <translation>Zuerst kalibrieren: Vorher sind ihre Winkel unbekannt.</translation>
+    </message>
+    <message>
+        <source>Hold it level, then tilt it to its right side.</source>
+        <translation>Waagerecht halten, dann auf ihre rechte Seite neigen.</translation>
+    </message>
+    <message>
+        <source>Hold it level, then tilt its nose down.</source>
+        <translation>Waagerecht halten, dann die Nase nach unten neigen.</translation>
+    </message>
+    <message>
+        <source>Hold it level, then turn its nose to the right, seen from above.</source>
+        <translation>Waagerecht halten, dann die Nase nach rechts drehen, von oben gesehen.</translation>
+    </message>
+    <message>
+        <source>Faster turned: %1. Are those the motors on its right?</source>
+        <translation>Schneller drehten: %1. Sind das die Motoren auf ihrer rechten Seite?</translation>
+    </message>
+    <message>
+        <source>Faster turned: %1. Are those the motors in front?</source>
+        <translation>Schneller drehten: %1. Sind das die Motoren vorn?</translation>
+    </message>
+    <message>
+        <source>Faster turned: %1. Are those the ones that turn clockwise, seen from above?</source>
+        <translation>Schneller drehten: %1. Sind das die, die sich im Uhrzeigersinn drehen, von oben gesehen?</translation>
+    </message>
+    <message>
+        <source>Faster turned: %1. Are those the motors on its left?</source>
+        <translation>Schneller drehten: %1. Sind das die Motoren auf ihrer linken Seite?</translation>
+    </message>
+    <message>
+        <source>Faster turned: %1. Are those the motors behind?</source>
+        <translation>Schneller drehten: %1. Sind das die Motoren hinten?</translation>
+    </message>
+    <message>
+        <source>Faster turned: %1. Are those the ones that turn counter-clockwise, seen from above?</source>
+        <translation>Schneller drehten: %1. Sind das die, die sich gegen den Uhrzeigersinn drehen, von oben gesehen?</translation>
+    </message>
+    <message>
+        <source>No motor turns faster than the others yet.</source>
+        <translation>Noch dreht kein Motor schneller als die anderen.</translation>
+    </message>
+    <message>
+        <source>Not armed: open a control session with the propellers off, then arm.</source>
+        <translation>Nicht scharf: eine Steuersitzung mit abgenommenen Propellern öffnen, dann scharf schalten.</translation>
+    </message>
+    <message>
+        <source>Another angle moves more than this one. If it was turned as said, its axes are set up wrongly.</source>
+        <translation>Ein anderer Winkel bewegt sich mehr als dieser. Wenn sie wie gesagt bewegt wurde, sind ihre Achsen falsch eingestellt.</translation>
+    </message>
+    <message>
+        <source>Another stick moves, or this one the other way. See how the sticks are mapped.</source>
+        <translation>Ein anderer Knüppel bewegt sich oder dieser andersherum. Nachsehen, wie die Knüppel zugeordnet sind.</translation>
+    </message>
+    <message>
+        <source>Seen. Put it level again.</source>
+        <translation>Gesehen. Wieder waagerecht halten.</translation>
+    </message>
+    <message>
+        <source>Seen. Let go.</source>
+        <translation>Gesehen. Loslassen.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved far enough yet.</source>
+        <translation>Noch hat sich nichts weit genug bewegt.</translation>
+    </message>
+    <message>
+        <source>Push the stick for roll to the right, at least a third of the way, and let go.</source>
+        <translation>Den Knüppel für Rollen nach rechts drücken, mindestens ein Drittel des Weges, und loslassen.</translation>
+    </message>
+    <message>
+        <source>Push the stick for pitch forward, at least a third of the way, and let go.</source>
+        <translation>Den Knüppel für Nicken nach vorn drücken, mindestens ein Drittel des Weges, und loslassen.</translation>
+    </message>
+    <message>
+        <source>Push the stick for yaw to the right, at least a third of the way, and let go.</source>
+        <translation>Den Knüppel für Gieren nach rechts drücken, mindestens ein Drittel des Weges, und loslassen.</translation>
+    </message>
+    <message>
+        <source>Armed without propellers, with 5 to 15 % throttle: hold it level, then tilt it to its right side.</source>
+        <translation>Scharf, ohne Propeller, mit 5 bis 15 % Gas: waagerecht halten, dann auf ihre rechte Seite neigen.</translation>
+    </message>
+    <message>
+        <source>Armed without propellers, with 5 to 15 % throttle: hold it level, then tilt its nose down.</source>
+        <translation>Scharf, ohne Propeller, mit 5 bis 15 % Gas: waagerecht halten, dann die Nase nach unten neigen.</translation>
+    </message>
+    <message>
+        <source>Armed without propellers, with 5 to 15 % throttle: hold it level, then turn its nose to the right.</source>
+        <translation>Scharf, ohne Propeller, mit 5 bis 15 % Gas: waagerecht halten, dann die Nase nach rechts drehen.</translation>
+    </message>
+    <message>
+        <source>Hold it level and push the stick for roll to the right, at least a third of the way.</source>
+        <translation>Waagerecht halten und den Knüppel für Rollen nach rechts drücken, mindestens ein Drittel des Weges.</translation>
+    </message>
+    <message>
+        <source>Hold it level and push the stick for pitch forward, at least a third of the way.</source>
+        <translation>Waagerecht halten und den Knüppel für Nicken nach vorn drücken, mindestens ein Drittel des Weges.</translation>
+    </message>
+    <message>
+        <source>Hold it level and push the stick for yaw to the right, at least a third of the way.</source>
+        <translation>Waagerecht halten und den Knüppel für Gieren nach rechts drücken, mindestens ein Drittel des Weges.</translation>
+    </message>
+    <message>
+        <source>The control session is one for a test stand, with the propellers on. Close it, take the propellers off, and open one that says so.</source>
+        <translation>Die Steuersitzung ist eine für den Teststand, mit Propellern. Schließen Sie sie, nehmen Sie die Propeller ab, und öffnen Sie eine, die das sagt.</translation>
+    </message>
+    <message>
+        <source>Not armed: the session is open; hold the key to arm.</source>
+        <translation>Nicht scharf: Die Sitzung ist offen; zum Scharfschalten die Taste halten.</translation>
+    </message>
+    <message>
+        <source>Look at the drone: places and directions in the picture are those of the text, and are being checked now.</source>
+        <translation>Sehen Sie auf die Drohne: Orte und Drehrichtungen im Bild sind die des Textes und werden gerade erst geprüft.</translation>
+    </message>
+    <message>
+        <source>That contradicts what was answered before: a motor has one place and turns one way. These axes are asked again.</source>
+        <translation>Das widerspricht einer früheren Antwort: Ein Motor hat einen Platz und eine Drehrichtung. Diese Achsen werden noch einmal gefragt.</translation>
+    </message>
+    <message>
+        <source>Hold it level and let the sticks go until the motors turn steadily. If they do not, disarm and arm again.</source>
+        <translation>Waagerecht halten und die Knüppel loslassen, bis die Motoren gleichmäßig drehen. Tun sie das nicht, entschärfen und wieder scharf schalten.</translation>
+    </message>
+</context>
+<context>
     <name>DocumentsPage</name>
     <message>
         <source>Documents</source>
@@ -2064,16 +2923,78 @@
         <translation>Dieses Dokument ist kein UTF-8-Text. Es kann in einer Datei gesichert, aber hier nicht bearbeitet werden.</translation>
     </message>
     <message>
-        <source>%1 of %2 bytes</source>
-        <translation>%1 von %2 Bytes</translation>
-    </message>
-    <message>
         <source>%1 bytes, and the board takes %2 to %3: this is not kept as an edit.</source>
         <translation>%1 Bytes, und das Board nimmt %2 bis %3: Das wird nicht als Änderung übernommen.</translation>
     </message>
     <message>
         <source>The board restarts when it is written.</source>
         <translation>Das Board startet neu, wenn es geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>Search in the text (Ctrl+F)</source>
+        <translation>Im Text suchen (Strg+F)</translation>
+    </message>
+    <message>
+        <source>Show line by line what differs from the board</source>
+        <translation>Zeile für Zeile zeigen, was vom Board abweicht</translation>
+    </message>
+    <message>
+        <source>Difference from the board</source>
+        <translation>Unterschied zum Board</translation>
+    </message>
+    <message>
+        <source>%1 of %2 bytes.</source>
+        <translation>%1 von %2 Bytes.</translation>
+    </message>
+    <message>
+        <source>Line %1: %2.</source>
+        <translation>Zeile %1: %2.</translation>
+    </message>
+    <message>
+        <source>The text cannot be used: %1.</source>
+        <translation>Der Text ist nicht brauchbar: %1.</translation>
+    </message>
+    <message>
+        <source>Go to line %1</source>
+        <translation>Zu Zeile %1</translation>
+    </message>
+    <message>
+        <source>✓ Valid %1. That does not prove that the board starts with it.</source>
+        <translation>✓ Gültiges %1. Das beweist nicht, dass das Board damit startet.</translation>
+    </message>
+    <message>
+        <source>No difference: the text is as it is stored.</source>
+        <translation>Kein Unterschied: Der Text ist, wie er gespeichert ist.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s) added</source>
+        <translation>
+            <numerusform>%n Zeile hinzugefügt</numerusform>
+            <numerusform>%n Zeilen hinzugefügt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s) removed</source>
+        <translation>
+            <numerusform>%n Zeile entfernt</numerusform>
+            <numerusform>%n Zeilen entfernt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lines with − are stored now; those with + take their place when the text is written.</source>
+        <translation>Zeilen mit − sind jetzt gespeichert; Zeilen mit + treten an ihre Stelle, wenn der Text geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>Show in the text</source>
+        <translation>Im Text zeigen</translation>
     </message>
 </context>
 <context>
@@ -2187,10 +3108,6 @@
     <message>
         <source>The rate is unknown, the cable is disturbed, or it is another kind of device.</source>
         <translation>Die Rate ist unbekannt, das Kabel gestört, oder es ist ein anderes Gerät.</translation>
-    </message>
-    <message>
-        <source>Check cable and ground, and that this is the gimbal&apos;s port.</source>
-        <translation>Prüfen Sie Kabel und Masse und ob dies der Anschluss des Gimbals ist.</translation>
     </message>
     <message>
         <source>This device speaks another protocol.</source>
@@ -2562,10 +3479,6 @@
         <translation>Kein einziges Byte kam zurück.</translation>
     </message>
     <message>
-        <source>Check that this is the gimbal&apos;s address and port, that the board behind it has power, and that nobody else is connected to it.</source>
-        <translation>Prüfen Sie, ob Adresse und Port stimmen, das Board dahinter Strom hat und niemand sonst damit verbunden ist.</translation>
-    </message>
-    <message>
         <source>Measuring without the notch</source>
         <translation>Messen ohne den Kerbfilter</translation>
     </message>
@@ -2868,15 +3781,90 @@
     </message>
     <message>
         <source>Calibrating: leave the drone alone</source>
-        <translation>Kalibriert: die Drohne in Ruhe lassen</translation>
+        <translation>Wird kalibriert: die Drohne in Ruhe lassen</translation>
     </message>
     <message>
         <source>The motor is tested; the drone hears nothing meanwhile</source>
         <translation>Der Motor wird geprüft; die Drohne hört währenddessen nichts</translation>
     </message>
     <message>
-        <source>The motor controllers are calibrated; the drone hears nothing meanwhile</source>
-        <translation>Die Motorregler werden kalibriert; die Drohne hört währenddessen nichts</translation>
+        <source>Motor controllers: no signal; the drone hears nothing for 26 s</source>
+        <translation>Motorregler: kein Signal; die Drohne hört 26 s lang nichts</translation>
+    </message>
+    <message>
+        <source>Motor controllers: FULL THROTTLE; the drone hears nothing</source>
+        <translation>Motorregler: VOLLGAS; die Drohne hört nichts</translation>
+    </message>
+    <message>
+        <source>Motor controllers: zero; the drone hears nothing</source>
+        <translation>Motorregler: null; die Drohne hört nichts</translation>
+    </message>
+    <message>
+        <source>Uploading the firmware</source>
+        <translation>Die Firmware wird hochgeladen</translation>
+    </message>
+    <message>
+        <source>The firmware is on the drone; waiting for its restart. Do not switch it off</source>
+        <translation>Die Firmware ist auf der Drohne; warten auf ihren Neustart. Nicht ausschalten</translation>
+    </message>
+    <message>
+        <source>Check that this is the board&apos;s address and port, that the board behind it has power, and that nobody else is connected to it.</source>
+        <translation>Prüfen, ob Adresse und Port die des Boards sind, ob das Board dahinter Strom hat und ob niemand sonst damit verbunden ist.</translation>
+    </message>
+    <message>
+        <source>Check cable and ground, and that this is the board&apos;s port.</source>
+        <translation>Kabel und Masse prüfen und ob dies der Port des Boards ist.</translation>
+    </message>
+    <message>
+        <source>configuration text</source>
+        <translation>Konfigurationstext</translation>
+    </message>
+    <message>
+        <source>gains</source>
+        <translation>Reglerwerte</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>The configuration text is written; waiting for the drone to restart</source>
+        <translation>Der Konfigurationstext ist auf der Drohne; ihr Neustart wird abgewartet</translation>
+    </message>
+</context>
+<context>
+    <name>EscCard</name>
+    <message>
+        <source>Motor controllers</source>
+        <translation>Motorregler</translation>
+    </message>
+    <message>
+        <source>Calibrate the controllers…</source>
+        <translation>Regler kalibrieren…</translation>
+    </message>
+    <message>
+        <source>⚠ All motors get full throttle. Propellers off, drone fixed. It hears nothing for 26 s, also no stop: only its battery ends it.</source>
+        <translation>⚠ Alle Motoren bekommen Vollgas. Propeller ab, Drohne befestigt. Sie hört 26 s lang nichts, auch keinen Stopp: Nur ihr Akku beendet es.</translation>
+    </message>
+    <message>
+        <source>No signal, 10 s</source>
+        <translation>Kein Signal, 10 s</translation>
+    </message>
+    <message>
+        <source>Full throttle, 8 s</source>
+        <translation>Vollgas, 8 s</translation>
+    </message>
+    <message>
+        <source>Zero, 8 s</source>
+        <translation>Null, 8 s</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>Progress of the calibration</source>
+        <translation>Fortschritt der Kalibrierung</translation>
     </message>
 </context>
 <context>
@@ -3191,6 +4179,10 @@
         <source>Remove the one that is wrong, or use another copy.</source>
         <translation>Den falschen Eintrag entfernen oder eine andere Kopie verwenden.</translation>
     </message>
+    <message>
+        <source>a firmware</source>
+        <translation>eine Firmware</translation>
+    </message>
 </context>
 <context>
     <name>FilterCurve</name>
@@ -3232,6 +4224,431 @@
     <message>
         <source>No effect while this filter is not in use.</source>
         <translation>Ohne Wirkung, solange dieser Filter nicht in Gebrauch ist.</translation>
+    </message>
+</context>
+<context>
+    <name>FirmwareCard</name>
+    <message>
+        <source>Firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation>Datei wählen…</translation>
+    </message>
+    <message>
+        <source>Upload…</source>
+        <translation>Hochladen…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Replaces the drone&apos;s program and restarts it. The drone tests nothing but the checksum: a file for another board ends it for good.</source>
+        <translation>Ersetzt das Programm der Drohne und startet sie neu. Die Drohne prüft nichts als die Prüfsumme: Eine Datei für ein anderes Board beendet sie für immer.</translation>
+    </message>
+    <message>
+        <source>Progress of the upload</source>
+        <translation>Fortschritt des Hochladens</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>No file is chosen.</source>
+        <translation>Keine Datei gewählt.</translation>
+    </message>
+    <message>
+        <source>The file is empty.</source>
+        <translation>Die Datei ist leer.</translation>
+    </message>
+    <message>
+        <source>%1, checksum %2</source>
+        <translation>%1, Prüfsumme %2</translation>
+    </message>
+    <message>
+        <source>All of it is on the drone, which replaces its program and restarts. That cannot be called back and takes up to a minute: do not switch it off.</source>
+        <translation>Alles ist auf der Drohne, die ihr Programm ersetzt und neu startet. Das lässt sich nicht zurückrufen und dauert bis zu einer Minute: nicht ausschalten.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>✓ The drone is back with firmware %1 (before: %2). Calibrate it before it flies.</source>
+        <translation>✓ Die Drohne ist mit Firmware %1 zurück (vorher: %2). Vor dem Flug kalibrieren.</translation>
+    </message>
+    <message>
+        <source>⚠ The drone is back and tells the same version as before, %1: whether it runs the new firmware is not known.</source>
+        <translation>⚠ Die Drohne ist zurück und meldet dieselbe Version wie vorher, %1: Ob sie mit der neuen Firmware läuft, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Its data stream stays silent until it is restarted: switch it off and on.</source>
+        <translation>Ihr Datenstrom schweigt, bis sie neu gestartet wird: aus- und einschalten.</translation>
+    </message>
+    <message>
+        <source>✖ The drone was not seen to restart with the new firmware.</source>
+        <translation>✖ Die Drohne ist nicht mit der neuen Firmware neu gestartet, soweit zu sehen war.</translation>
+    </message>
+    <message>
+        <source>⚠ The upload was cancelled; the drone runs the firmware that it had.</source>
+        <translation>⚠ Das Hochladen wurde abgebrochen; die Drohne läuft mit der Firmware, die sie hatte.</translation>
+    </message>
+    <message>
+        <source>✖ The upload has failed; the drone runs the firmware that it had.</source>
+        <translation>✖ Das Hochladen ist misslungen; die Drohne läuft mit der Firmware, die sie hatte.</translation>
+    </message>
+    <message>
+        <source>The firmware was not replaced as far as is known.</source>
+        <translation>Die Firmware wurde nicht ersetzt, soweit bekannt.</translation>
+    </message>
+    <message>
+        <source>The drone runs the firmware that it had.</source>
+        <translation>Die Drohne läuft mit der Firmware, die sie hatte.</translation>
+    </message>
+    <message>
+        <source>It refused a piece and may have taken its bytes for commands, arming included: keep clear, and look at its state.</source>
+        <translation>Sie hat ein Stück abgelehnt und kann seine Bytes für Befehle gehalten haben, auch für das Scharfschalten: Abstand halten und auf ihren Zustand sehen.</translation>
+    </message>
+    <message>
+        <source>✖ Not begun: the battery is low (%1 V). A drone that loses its power while its program is replaced does not start any more. Charge or change the battery first.</source>
+        <translation>✖ Nicht begonnen: Der Akku ist schwach (%1 V). Eine Drohne, die den Strom verliert, während ihr Programm ersetzt wird, startet nicht mehr. Laden oder tauschen Sie zuerst den Akku.</translation>
+    </message>
+</context>
+<context>
+    <name>FlightOverview</name>
+    <message>
+        <source>%1 % (reported: %2)</source>
+        <translation>%1 % (gemeldet: %2)</translation>
+    </message>
+    <message>
+        <source>Attitude of the drone</source>
+        <translation>Lage der Drohne</translation>
+    </message>
+    <message>
+        <source>Attitude and heading</source>
+        <translation>Lage und Kurs</translation>
+    </message>
+    <message>
+        <source>Drawn as the drone tells it. Which sign leans which way is not established: tilt it by hand and compare.</source>
+        <translation>Gezeichnet, wie die Drohne es meldet. Welches Vorzeichen sich wohin neigt, ist nicht gesichert: von Hand kippen und vergleichen.</translation>
+    </message>
+    <message>
+        <source>Motors</source>
+        <translation>Motoren</translation>
+    </message>
+    <message>
+        <source>What the drone commands, not what turns. Signs as in its mixing; which side is the front is not established.</source>
+        <translation>Was die Drohne befiehlt, nicht was sich dreht. Vorzeichen wie in ihrer Mischung; welche Seite vorne ist, ist nicht gesichert.</translation>
+    </message>
+    <message>
+        <source>Battery level</source>
+        <translation>Akkustand</translation>
+    </message>
+    <message>
+        <source>Charge drawn</source>
+        <translation>Entnommene Ladung</translation>
+    </message>
+    <message>
+        <source>Processor load</source>
+        <translation>Prozessorlast</translation>
+    </message>
+    <message>
+        <source>Processor temperature</source>
+        <translation>Prozessortemperatur</translation>
+    </message>
+    <message>
+        <source>Control loop</source>
+        <translation>Regelschleife</translation>
+    </message>
+    <message>
+        <source>per second</source>
+        <translation>pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Drone receives</source>
+        <translation>Empfang der Drohne</translation>
+    </message>
+    <message>
+        <source>Level at the drone</source>
+        <translation>Pegel an der Drohne</translation>
+    </message>
+    <message>
+        <source>not known (reported: %1)</source>
+        <translation>unbekannt (gemeldet: %1)</translation>
+    </message>
+    <message>
+        <source>Calibrate (Actions)…</source>
+        <translation>Kalibrieren (Aktionen) …</translation>
+    </message>
+    <message>
+        <source>Drawn as the check of directions has found it (Flight).</source>
+        <translation>Gezeichnet, wie die Prüfung der Richtungen es gefunden hat (Flug).</translation>
+    </message>
+</context>
+<context>
+    <name>FlightPage</name>
+    <message>
+        <source>Flight</source>
+        <translation>Flug</translation>
+    </message>
+    <message>
+        <source>Set values while it is armed</source>
+        <translation>Werte in scharfem Zustand setzen</translation>
+    </message>
+    <message>
+        <source>Hold to arm</source>
+        <translation>Halten zum Scharfschalten</translation>
+    </message>
+    <message>
+        <source>■ Disarm</source>
+        <translation>■ Entschärfen</translation>
+    </message>
+    <message>
+        <source>Steer with a gamepad</source>
+        <translation>Mit einem Gamepad steuern</translation>
+    </message>
+    <message>
+        <source>For experts, in a test stand: gains that are set go to the drone while its motors turn. Without it, setting one disarms first.</source>
+        <translation>Für Erfahrene, im Prüfstand: Reglerwerte gehen zur Drohne, während ihre Motoren drehen. Ohne das entschärft das Setzen zuerst.</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>How long the key has been held</source>
+        <translation>Wie lange die Taste gehalten wurde</translation>
+    </message>
+    <message>
+        <source>Hold it for a second, with the throttle at zero. It arms the motors.</source>
+        <translation>Eine Sekunde lang halten, mit dem Gas auf null. Das schaltet die Motoren scharf.</translation>
+    </message>
+    <message>
+        <source>Stops the motors: in flight it falls. The space bar does the same.</source>
+        <translation>Hält die Motoren an: Im Flug fällt sie. Die Leertaste tut dasselbe.</translation>
+    </message>
+    <message>
+        <source>Attitude</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Motors</source>
+        <translation>Motoren</translation>
+    </message>
+    <message>
+        <source>Throttle</source>
+        <translation>Gas</translation>
+    </message>
+    <message>
+        <source>Sticks</source>
+        <translation>Knüppel</translation>
+    </message>
+    <message>
+        <source>Not armed: %1</source>
+        <translation>Nicht scharf geschaltet: %1</translation>
+    </message>
+    <message>
+        <source>Not opened: %1</source>
+        <translation>Nicht geöffnet: %1</translation>
+    </message>
+    <message>
+        <source>Open a control session?</source>
+        <translation>Eine Steuersitzung öffnen?</translation>
+    </message>
+    <message>
+        <source>From then on this program can arm the drone and turn its motors. Stopping them, by the red button, F12 or the space bar, makes it fall. Nobody may be within reach of a propeller.</source>
+        <translation>Von da an kann dieses Programm die Drohne scharf schalten und ihre Motoren drehen. Wer sie anhält, mit dem roten Knopf, F12 oder der Leertaste, lässt sie fallen. Niemand darf in Reichweite eines Propellers sein.</translation>
+    </message>
+    <message>
+        <source>The propellers are off</source>
+        <translation>Die Propeller sind abgenommen</translation>
+    </message>
+    <message>
+        <source>It is held in a test stand</source>
+        <translation>Sie wird in einem Prüfstand gehalten</translation>
+    </message>
+    <message>
+        <source>Do not open</source>
+        <translation>Nicht öffnen</translation>
+    </message>
+    <message>
+        <source>Set values while it is armed?</source>
+        <translation>Werte in scharfem Zustand setzen?</translation>
+    </message>
+    <message>
+        <source>A wrong gain makes it swing at once, with its propellers turning. Only in a test stand that holds it, with nobody near.</source>
+        <translation>Ein falscher Reglerwert lässt sie sofort schwingen, mit drehenden Propellern. Nur in einem Prüfstand, der sie hält, und wenn niemand in der Nähe ist.</translation>
+    </message>
+    <message>
+        <source>It is held: allow it</source>
+        <translation>Sie wird gehalten: erlauben</translation>
+    </message>
+    <message>
+        <source>Disarm first</source>
+        <translation>Zuerst entschärfen</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Battery</source>
+        <translation>Akku</translation>
+    </message>
+    <message>
+        <source>Close the control session</source>
+        <translation>Steuersitzung schließen</translation>
+    </message>
+    <message>
+        <source>Open a control session…</source>
+        <translation>Steuersitzung öffnen …</translation>
+    </message>
+    <message>
+        <source>No drone is connected.</source>
+        <translation>Keine Drohne ist verbunden.</translation>
+    </message>
+    <message>
+        <source>Nothing is sent that steers. Open a control session to arm it from here.</source>
+        <translation>Es wird nichts gesendet, was steuert. Um sie von hier scharf zu schalten, eine Steuersitzung öffnen.</translation>
+    </message>
+    <message>
+        <source>Keep holding: it arms after a second.</source>
+        <translation>Weiter halten: Nach einer Sekunde wird sie scharf.</translation>
+    </message>
+    <message>
+        <source>It is told to arm.</source>
+        <translation>Sie wird scharf geschaltet.</translation>
+    </message>
+    <message>
+        <source>Armed from here. Leaving this page or window, a lost link and %1 s without a movement disarm it.</source>
+        <translation>Von hier scharf geschaltet. Diese Seite oder das Fenster zu verlassen, eine verlorene Verbindung und %1 s ohne Bewegung entschärfen sie.</translation>
+    </message>
+    <message>
+        <source>Ready: hold the key for a second to arm it.</source>
+        <translation>Bereit: Zum Scharfschalten die Taste eine Sekunde lang halten.</translation>
+    </message>
+    <message>
+        <source>It cannot be armed: %1</source>
+        <translation>Sie kann nicht scharf geschaltet werden: %1</translation>
+    </message>
+    <message>
+        <source>there is no link.</source>
+        <translation>Es gibt keine Verbindung.</translation>
+    </message>
+    <message>
+        <source>nothing has come from it for a second.</source>
+        <translation>Seit einer Sekunde kommt nichts von ihr.</translation>
+    </message>
+    <message>
+        <source>it does not say whether it is armed.</source>
+        <translation>Sie sagt nicht, ob sie scharf ist.</translation>
+    </message>
+    <message>
+        <source>its directions have not been checked.</source>
+        <translation>Ihre Richtungen sind nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>no control session is open.</source>
+        <translation>Keine Steuersitzung ist offen.</translation>
+    </message>
+    <message>
+        <source>it is calibrating.</source>
+        <translation>Sie kalibriert gerade.</translation>
+    </message>
+    <message>
+        <source>it is armed already, and not from here.</source>
+        <translation>Sie ist schon scharf, und nicht von hier.</translation>
+    </message>
+    <message>
+        <source>its motors are driven although it is disarmed.</source>
+        <translation>Ihre Motoren werden angetrieben, obwohl sie entschärft ist.</translation>
+    </message>
+    <message>
+        <source>it is at work: a procedure or a write runs.</source>
+        <translation>Sie arbeitet: Ein Ablauf oder ein Schreiben läuft.</translation>
+    </message>
+    <message>
+        <source>its motors are being stopped, and it has not confirmed that.</source>
+        <translation>Ihre Motoren werden angehalten, und sie hat das nicht bestätigt.</translation>
+    </message>
+    <message>
+        <source>the throttle is not at zero.</source>
+        <translation>Das Gas steht nicht auf null.</translation>
+    </message>
+    <message>
+        <source>the sticks have told nothing for a quarter of a second.</source>
+        <translation>Von den Knüppeln kam eine Viertelsekunde lang nichts.</translation>
+    </message>
+    <message>
+        <source>by you.</source>
+        <translation>von Ihnen.</translation>
+    </message>
+    <message>
+        <source>it was told to arm, and did not say that it is armed.</source>
+        <translation>Sie sollte scharf werden und hat nicht gesagt, dass sie es ist.</translation>
+    </message>
+    <message>
+        <source>it says so itself, and nobody told it to from here.</source>
+        <translation>Sie sagt es selbst, und von hier hat es niemand befohlen.</translation>
+    </message>
+    <message>
+        <source>the window was not in front any more.</source>
+        <translation>Das Fenster war nicht mehr vorn.</translation>
+    </message>
+    <message>
+        <source>this page was not seen any more.</source>
+        <translation>Diese Seite war nicht mehr zu sehen.</translation>
+    </message>
+    <message>
+        <source>the screen was locked.</source>
+        <translation>Der Bildschirm wurde gesperrt.</translation>
+    </message>
+    <message>
+        <source>nothing was moved for too long.</source>
+        <translation>Zu lange wurde nichts bewegt.</translation>
+    </message>
+    <message>
+        <source>the motors were stopped.</source>
+        <translation>Die Motoren wurden angehalten.</translation>
+    </message>
+    <message>
+        <source>values are being set.</source>
+        <translation>Werte werden gesetzt.</translation>
+    </message>
+    <message>
+        <source>this program did not send in time.</source>
+        <translation>Dieses Programm hat nicht rechtzeitig gesendet.</translation>
+    </message>
+    <message>
+        <source>an error occurred.</source>
+        <translation>Ein Fehler ist aufgetreten.</translation>
+    </message>
+    <message>
+        <source>Keys: W and S throttle, A and D yaw, arrows roll and pitch, space disarms.</source>
+        <translation>Tasten: W und S Gas, A und D Gieren, Pfeile Rollen und Nicken, Leertaste entschärft.</translation>
+    </message>
+    <message>
+        <source>the process that stops it if this program dies has not started, or has ended.</source>
+        <translation>Der Prozess, der sie anhält, falls dieses Programm stirbt, ist nicht gestartet oder beendet.</translation>
+    </message>
+    <message>
+        <source>If it is unplugged or falls silent, the drone is disarmed. Its sticks are assigned on the page “Gamepad”.</source>
+        <translation>Wird es abgezogen oder verstummt es, wird die Drohne entschärft. Seine Knüppel werden auf der Seite „Gamepad“ zugeordnet.</translation>
+    </message>
+    <message>
+        <source>Calibrate (Actions)…</source>
+        <translation>Kalibrieren (Aktionen) …</translation>
+    </message>
+    <message>
+        <source>it is not calibrated.</source>
+        <translation>Sie ist nicht kalibriert.</translation>
+    </message>
+    <message>
+        <source>Control has ended: %1</source>
+        <translation>Steuerung beendet: %1</translation>
     </message>
 </context>
 <context>
@@ -3351,6 +4768,248 @@
     <message>
         <source>f₀ %1 Hz · d %2 · τ %3 ms</source>
         <translation>f₀ %1 Hz · d %2 · τ %3 ms</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadPage</name>
+    <message>
+        <source>Throttle</source>
+        <translation>Gas</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Roll</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>Pitch</translation>
+    </message>
+    <message>
+        <source>Yaw</source>
+        <translation>Yaw</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Arm (held for a second)</source>
+        <translation>Scharf schalten (eine Sekunde halten)</translation>
+    </message>
+    <message>
+        <source>Disarm</source>
+        <translation>Entschärfen</translation>
+    </message>
+    <message>
+        <source>To the middle</source>
+        <translation>Zur Mitte</translation>
+    </message>
+    <message>
+        <source>Push the stick for the throttle from the bottom all the way up.</source>
+        <translation>Schieben Sie den Knüppel für das Gas von ganz unten nach ganz oben.</translation>
+    </message>
+    <message>
+        <source>Push the stick for roll all the way to the right.</source>
+        <translation>Drücken Sie den Knüppel für Roll ganz nach rechts.</translation>
+    </message>
+    <message>
+        <source>Push the stick for pitch all the way forward.</source>
+        <translation>Drücken Sie den Knüppel für Pitch ganz nach vorn.</translation>
+    </message>
+    <message>
+        <source>Push the stick for yaw all the way to the right.</source>
+        <translation>Drücken Sie den Knüppel für Yaw ganz nach rechts.</translation>
+    </message>
+    <message>
+        <source>Push the stick, lever or trigger for the speed all the way to fast.</source>
+        <translation>Drücken Sie Knüppel, Hebel oder Trigger für das Tempo ganz auf schnell.</translation>
+    </message>
+    <message>
+        <source>Gamepad</source>
+        <translation>Gamepad</translation>
+    </message>
+    <message>
+        <source>Assign all sticks</source>
+        <translation>Alle Knüppel zuordnen</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Gamepad to use</source>
+        <translation>Gamepad, das steuert</translation>
+    </message>
+    <message>
+        <source>Sticks</source>
+        <translation>Knüppel</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Umgekehrt</translation>
+    </message>
+    <message>
+        <source>Dead band</source>
+        <translation>Totbereich</translation>
+    </message>
+    <message>
+        <source>Expo</source>
+        <translation>Expo</translation>
+    </message>
+    <message>
+        <source>Expo makes a stick gentler around its rest; its end stays where it is. Throttle is for drones, speed for gimbals.</source>
+        <translation>Expo macht einen Knüppel um die Ruhelage sanfter; sein Ende bleibt, wo es ist. Gas ist für Drohnen, Tempo für Gimbals.</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>%1: inverted</source>
+        <translation>%1: umgekehrt</translation>
+    </message>
+    <message>
+        <source>%1: dead band</source>
+        <translation>%1: Totbereich</translation>
+    </message>
+    <message>
+        <source>%1: expo</source>
+        <translation>%1: Expo</translation>
+    </message>
+    <message>
+        <source>Assign</source>
+        <translation>Zuordnen</translation>
+    </message>
+    <message>
+        <source>Assign %1</source>
+        <translation>%1 zuordnen</translation>
+    </message>
+    <message>
+        <source>not assigned</source>
+        <translation>nicht zugeordnet</translation>
+    </message>
+    <message>
+        <source>button %1: pressed</source>
+        <translation>Taste %1: gedrückt</translation>
+    </message>
+    <message>
+        <source>button %1</source>
+        <translation>Taste %1</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
+    <message>
+        <source>Let go of all sticks and buttons, and pull a throttle that stays down.</source>
+        <translation>Lassen Sie alle Knüppel und Tasten los, und ziehen Sie einen Gasknüppel, der stehen bleibt, ganz nach unten.</translation>
+    </message>
+    <message>
+        <source>Press the button for: %1.</source>
+        <translation>Drücken Sie die Taste für: %1.</translation>
+    </message>
+    <message>
+        <source>Gamepads cannot be read: %1. Everything else works without. Install the program&apos;s module for gamepads and SDL 2, then open this page again.</source>
+        <translation>Gamepads können nicht gelesen werden: %1. Alles andere geht ohne. Installieren Sie das Gamepad-Modul des Programms und SDL 2, und öffnen Sie diese Seite dann noch einmal.</translation>
+    </message>
+    <message>
+        <source>No gamepad is plugged in. Plug one in, it is found by itself.</source>
+        <translation>Kein Gamepad ist eingesteckt. Stecken Sie eines ein, es wird von selbst gefunden.</translation>
+    </message>
+    <message>
+        <source>%1 is not heard of any more. Plug it out and in again.</source>
+        <translation>Von %1 ist nichts mehr zu hören. Ziehen Sie es ab, und stecken Sie es wieder ein.</translation>
+    </message>
+    <message>
+        <source>%1 is plugged in. Its sticks steer nothing until they are assigned.</source>
+        <translation>%1 ist eingesteckt. Seine Knüppel steuern nichts, bevor sie zugeordnet sind.</translation>
+    </message>
+    <message>
+        <source>%1 is ready. It steers only where you arm with it.</source>
+        <translation>%1 ist bereit. Es steuert nur dort, wo Sie mit ihm scharf schalten.</translation>
+    </message>
+    <message>
+        <source>Use the default</source>
+        <translation>Vorgabe verwenden</translation>
+    </message>
+    <message>
+        <source>Forgets what was assigned for this kind of gamepad</source>
+        <translation>Vergisst, was für diese Bauart zugeordnet wurde</translation>
+    </message>
+    <message>
+        <source>%1 is ready with the default for drones: left stick throttle and yaw, right stick roll and pitch. The throttle counts from the stick&apos;s middle up: let go, it is zero. Assign sticks to change that. It steers only where you arm with it.</source>
+        <translation>%1 ist bereit, mit der Vorgabe für Drohnen: linker Knüppel Gas und Gieren, rechter Rollen und Nicken. Das Gas zählt von der Mitte des Knüppels aufwärts: losgelassen ist es null. Wer es anders will, ordnet Knüppel zu. Es steuert nur dort, wo Sie mit ihm scharf schalten.</translation>
+    </message>
+    <message>
+        <source>%1 is ready with the default for gimbals: the right stick pans and tilts. Assign sticks to change that. It steers only where you arm with it.</source>
+        <translation>%1 ist bereit, mit der Vorgabe für Gimbals: der rechte Knüppel schwenkt und neigt. Wer es anders will, ordnet Knüppel zu. Es steuert nur dort, wo Sie mit ihm scharf schalten.</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadSteering</name>
+    <message>
+        <source>Gamepad</source>
+        <translation>Gamepad</translation>
+    </message>
+    <message>
+        <source>A gamepad steers while armed. Its sticks are assigned on the page “Gamepad”.</source>
+        <translation>Ein Gamepad steuert, solange scharf geschaltet ist. Seine Knüppel werden auf der Seite „Gamepad“ zugeordnet.</translation>
+    </message>
+    <message>
+        <source>Control was disarmed: the gamepad was switched off.</source>
+        <translation>Die Steuerung wurde entschärft: Das Gamepad wurde abgewählt.</translation>
+    </message>
+    <message>
+        <source>Not armed: a stick of the gamepad is not at rest. Let go of it, then arm.</source>
+        <translation>Nicht scharf: Ein Knüppel des Gamepads ist nicht in Ruhe. Lassen Sie ihn los, und schalten Sie dann scharf.</translation>
+    </message>
+    <message>
+        <source>Control was disarmed: the gamepad has not been heard of for a quarter of a second. Plug it out and in again.</source>
+        <translation>Die Steuerung wurde entschärft: Vom Gamepad war eine Viertelsekunde nichts zu hören. Ziehen Sie es ab, und stecken Sie es wieder ein.</translation>
+    </message>
+    <message>
+        <source>Control was disarmed: the gamepad is gone. Plug it in, then arm again.</source>
+        <translation>Die Steuerung wurde entschärft: Das Gamepad ist weg. Stecken Sie es ein, und schalten Sie dann wieder scharf.</translation>
+    </message>
+    <message>
+        <source>Gamepads cannot be read: %1. The page “Gamepad” says more.</source>
+        <translation>Gamepads können nicht gelesen werden: %1. Mehr dazu auf der Seite „Gamepad“.</translation>
+    </message>
+    <message>
+        <source>No gamepad is plugged in.</source>
+        <translation>Kein Gamepad ist eingesteckt.</translation>
+    </message>
+    <message>
+        <source>%1 is not heard of.</source>
+        <translation>Von %1 ist nichts zu hören.</translation>
+    </message>
+    <message>
+        <source>%1 is there, but its sticks are not assigned yet. Do that on the page “Gamepad”.</source>
+        <translation>%1 ist da, aber seine Knüppel sind noch nicht zugeordnet. Das geht auf der Seite „Gamepad“.</translation>
+    </message>
+    <message>
+        <source>%1 steers.</source>
+        <translation>%1 steuert.</translation>
+    </message>
+    <message>
+        <source>%1 steers from the next arming on.</source>
+        <translation>%1 steuert ab dem nächsten Scharfschalten.</translation>
+    </message>
+    <message>
+        <source>%1 steers from the next arming on, with the default assignment (page “Gamepad”).</source>
+        <translation>%1 steuert ab dem nächsten Scharfschalten, mit der vorgegebenen Zuordnung (Seite „Gamepad“).</translation>
     </message>
 </context>
 <context>
@@ -3596,6 +5255,46 @@
         <source>Disconnect all the same</source>
         <translation>Trotzdem trennen</translation>
     </message>
+    <message>
+        <source>The drone is armed from here.</source>
+        <translation>Die Drohne ist von hier scharf geschaltet.</translation>
+    </message>
+    <message>
+        <source>It would go on with its last throttle, and nobody could stop it from here.</source>
+        <translation>Sie würde mit ihrem letzten Gas weiterlaufen, und niemand könnte sie von hier anhalten.</translation>
+    </message>
+    <message>
+        <source>Land it and disarm it first, on the page “Flight”.</source>
+        <translation>Zuerst landen und entschärfen, auf der Seite „Flug“.</translation>
+    </message>
+    <message>
+        <source>The drone was armed when it was heard last</source>
+        <translation>Die Drohne war scharf, als sie zuletzt gehört wurde</translation>
+    </message>
+    <message>
+        <source>The link is lost. The drone does not notice that: it stays armed and goes on with its last throttle until somebody disarms it or its battery is empty. As long as this program runs it looks for the drone, and disarms it as soon as it is heard.</source>
+        <translation>Die Verbindung ist weg. Die Drohne merkt das nicht: Sie bleibt scharf und läuft mit ihrem letzten Gas weiter, bis jemand sie entschärft oder ihr Akku leer ist. Solange dieses Programm läuft, sucht es die Drohne und entschärft sie, sobald sie gehört wird.</translation>
+    </message>
+    <message>
+        <source>The drone does not say that it is disarmed and its motors stand.</source>
+        <translation>Die Drohne meldet nicht, dass sie entschärft ist und ihre Motoren stehen.</translation>
+    </message>
+    <message>
+        <source>It was armed from here. Without this program nobody would go on stopping it.</source>
+        <translation>Sie wurde von hier aus scharf gemacht. Ohne dieses Programm würde sie niemand weiter anhalten.</translation>
+    </message>
+    <message>
+        <source>Stop the motors (F12). If it does not obey, take its battery away: then the link is lost, and the program can be closed.</source>
+        <translation>Die Motoren anhalten (F12). Gehorcht sie nicht, den Akku abnehmen: Dann ist die Verbindung weg, und das Programm lässt sich schließen.</translation>
+    </message>
+    <message>
+        <source>The drone may be armed</source>
+        <translation>Die Drohne ist vielleicht scharf</translation>
+    </message>
+    <message>
+        <source>It did not confirm that it is disarmed, and may go on with its last throttle.</source>
+        <translation>Sie hat nicht bestätigt, dass sie entschärft ist, und behält vielleicht ihr letztes Gas bei.</translation>
+    </message>
 </context>
 <context>
     <name>LeftSteering</name>
@@ -3625,10 +5324,6 @@
     <message>
         <source>Port or address of the board</source>
         <translation>Anschluss oder Adresse des Boards</translation>
-    </message>
-    <message>
-        <source>Serial port, tcp://host:port, or the simulated gimbal</source>
-        <translation>Serieller Anschluss, tcp://host:port oder der simulierte Gimbal</translation>
     </message>
     <message>
         <source>Port or tcp://host:port</source>
@@ -3757,6 +5452,45 @@
     <message>
         <source>Recording %1</source>
         <translation>Aufzeichnung %1</translation>
+    </message>
+    <message>
+        <source>■ STOP (deaf: %1 s)</source>
+        <translation>■ STOPP (taub: %1 s)</translation>
+    </message>
+    <message>
+        <source>Serial port, tcp://host:port, udp://host:port, or a simulated board</source>
+        <translation>Serielle Schnittstelle, tcp://Host:Port, udp://Host:Port oder ein simuliertes Board</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 unter %2</translation>
+    </message>
+    <message>
+        <source>A simulated drone: no real motor turns.</source>
+        <translation>Eine simulierte Drohne: kein echter Motor dreht sich.</translation>
+    </message>
+    <message>
+        <source>The video is being recorded to %1</source>
+        <translation>Das Video wird aufgenommen in %1</translation>
+    </message>
+</context>
+<context>
+    <name>LinkHealth</name>
+    <message>
+        <source>Another ground station talks to the same board.</source>
+        <translation>Eine andere Bodenstation spricht mit demselben Board.</translation>
+    </message>
+    <message>
+        <source>The board answers whoever sent last, so answers and live data are missing here, and both can command it.</source>
+        <translation>Das Board antwortet dem, der zuletzt gesendet hat: Hier fehlen Antworten und Live-Daten, und beide können ihm etwas befehlen.</translation>
+    </message>
+    <message>
+        <source>End the other program, or this link. Do not arm, write or calibrate meanwhile.</source>
+        <translation>Beenden Sie das andere Programm oder diese Verbindung. Schalten Sie so lange nichts scharf, schreiben und kalibrieren Sie nicht.</translation>
+    </message>
+    <message>
+        <source>answers to questions of somebody else: %1</source>
+        <translation>Antworten auf fremde Fragen: %1</translation>
     </message>
 </context>
 <context>
@@ -4137,6 +5871,65 @@
     <message>
         <source>as the board streams it</source>
         <translation>wie das Board sie von sich aus sendet</translation>
+    </message>
+</context>
+<context>
+    <name>MotorDiagram</name>
+    <message>
+        <source>Motors</source>
+        <translation>Motoren</translation>
+    </message>
+    <message>
+        <source>stands</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Places and directions follow from the signs of the mixing in the configuration text. The protocol does not tell which side is the front, and which of the two directions is clockwise: compare with the drone.</source>
+        <translation>Orte und Drehrichtungen folgen aus den Vorzeichen der Mischung im Konfigurationstext. Welche Seite vorne ist und welche der beiden Richtungen im Uhrzeigersinn läuft, sagt das Protokoll nicht: an der Drohne vergleichen.</translation>
+    </message>
+    <message>
+        <source>motor %1: %2</source>
+        <translation>Motor %1: %2</translation>
+    </message>
+    <message>
+        <source>being tested</source>
+        <translation>wird geprüft</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>gewählt</translation>
+    </message>
+    <message>
+        <source>No data</source>
+        <translation>Keine Daten</translation>
+    </message>
+    <message>
+        <source>pitch +</source>
+        <translation>Pitch +</translation>
+    </message>
+    <message>
+        <source>pitch −</source>
+        <translation>Pitch −</translation>
+    </message>
+    <message>
+        <source>roll −</source>
+        <translation>Roll −</translation>
+    </message>
+    <message>
+        <source>roll +</source>
+        <translation>Roll +</translation>
+    </message>
+    <message>
+        <source>The drone does not tell its motors yet.</source>
+        <translation>Die Drohne meldet ihre Motoren noch nicht.</translation>
+    </message>
+    <message>
+        <source>over %1 %</source>
+        <translation>über %1 %</translation>
     </message>
 </context>
 <context>
@@ -4649,6 +6442,29 @@
         <source>The connection ended before the motors were seen to stop.</source>
         <translation>Die Verbindung endete, bevor zu sehen war, dass die Motoren stehen.</translation>
     </message>
+    <message numerus="yes">
+        <source>The board hears nothing for %n more second(s), also no stop. The stop is queued as the first thing that it hears then. To stop it at once, disconnect the battery.</source>
+        <translation>
+            <numerusform>Das Board hört noch %n Sekunde lang nichts, auch keinen Stopp. Der Stopp ist eingereiht: er ist das Erste, was es danach hört. Um sofort zu stoppen, den Akku abziehen.</numerusform>
+            <numerusform>Das Board hört noch %n Sekunden lang nichts, auch keinen Stopp. Der Stopp ist eingereiht: er ist das Erste, was es danach hört. Um sofort zu stoppen, den Akku abziehen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Keep away from the propellers, and disconnect the battery once they stand.</source>
+        <translation>Abstand von den Propellern halten und den Akku abziehen, sobald sie stehen.</translation>
+    </message>
+    <message>
+        <source>The drone is disarmed, and its outputs stand.</source>
+        <translation>Die Drohne ist entschärft, und ihre Ausgänge stehen.</translation>
+    </message>
+    <message>
+        <source>The drone did not confirm that it is disarmed.</source>
+        <translation>Die Drohne hat nicht bestätigt, dass sie entschärft ist.</translation>
+    </message>
+    <message>
+        <source>It may go on with its last throttle. Disarming it goes on as long as there is a link, and begins again with the next one.</source>
+        <translation>Sie läuft vielleicht mit ihrem letzten Gas weiter. Das Entschärfen geht weiter, solange es eine Verbindung gibt, und beginnt mit der nächsten von vorn.</translation>
+    </message>
 </context>
 <context>
     <name>NumberBox</name>
@@ -4800,6 +6616,34 @@
         <source>Documents</source>
         <translation>Dokumente</translation>
     </message>
+    <message>
+        <source>Gamepad</source>
+        <translation>Gamepad</translation>
+    </message>
+    <message>
+        <source>Test bench</source>
+        <translation>Prüfstand</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>System</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Flight</source>
+        <translation>Flug</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Black box</source>
+        <translation>Blackbox</translation>
+    </message>
 </context>
 <context>
     <name>ParameterModel</name>
@@ -4913,6 +6757,181 @@ dieses zeigen.</translation>
     <message>
         <source>%1: “%2” is no value of it (%3). The value is as before.</source>
         <translation>%1: „%2“ ist kein Wert dafür (%3). Der Wert ist wie zuvor.</translation>
+    </message>
+</context>
+<context>
+    <name>PictureSettings</name>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>Kontrast</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>Sättigung</translation>
+    </message>
+    <message>
+        <source>Sensitivity (ISO)</source>
+        <translation>Empfindlichkeit (ISO)</translation>
+    </message>
+    <message>
+        <source>By 100. 0 is automatic.</source>
+        <translation>Um 100. 0 ist automatisch.</translation>
+    </message>
+    <message>
+        <source>Shutter</source>
+        <translation>Verschluss</translation>
+    </message>
+    <message>
+        <source>By 100. Today&apos;s driver does nothing.</source>
+        <translation>Um 100. Der heutige Treiber tut nichts.</translation>
+    </message>
+    <message>
+        <source>The drone does not tell brightness, contrast and saturation: judge by the picture. Nothing here outlasts a restart.</source>
+        <translation>Helligkeit, Kontrast und Sättigung nennt die Drohne nicht: nach dem Bild urteilen. Nichts hier übersteht einen Neustart.</translation>
+    </message>
+    <message>
+        <source>Colour and light</source>
+        <translation>Farbe und Licht</translation>
+    </message>
+    <message>
+        <source>White balance</source>
+        <translation>Weißabgleich</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Next white balance</source>
+        <translation>Nächster Weißabgleich</translation>
+    </message>
+    <message>
+        <source>Switches to the next one; the drone tells which.</source>
+        <translation>Schaltet zum nächsten weiter; die Drohne sagt, zu welchem.</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>Lock white balance</source>
+        <translation>Weißabgleich festhalten</translation>
+    </message>
+    <message>
+        <source>Keeps the present gains of red and blue; the drone tells them.</source>
+        <translation>Behält die jetzigen Verstärkungen von Rot und Blau; die Drohne nennt sie.</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>Next exposure mode</source>
+        <translation>Nächste Belichtungsart</translation>
+    </message>
+    <message>
+        <source>Switches to the next one. Today&apos;s driver does not tell which.</source>
+        <translation>Schaltet zur nächsten weiter. Der heutige Treiber sagt nicht, zu welcher.</translation>
+    </message>
+    <message>
+        <source>Night mode</source>
+        <translation>Nachtmodus</translation>
+    </message>
+    <message>
+        <source>Runs the drone&apos;s own script for it, if there is one. No proof comes back.</source>
+        <translation>Startet das eigene Skript der Drohne dafür, falls es eines gibt. Ein Beweis kommt nicht zurück.</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Ein</translation>
+    </message>
+    <message>
+        <source>Night mode on</source>
+        <translation>Nachtmodus ein</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Night mode off</source>
+        <translation>Nachtmodus aus</translation>
+    </message>
+    <message>
+        <source>Lens shading</source>
+        <translation>Vignettierung</translation>
+    </message>
+    <message>
+        <source>Set…</source>
+        <translation>Setzen …</translation>
+    </message>
+    <message>
+        <source>Set lens shading</source>
+        <translation>Vignettierung setzen</translation>
+    </message>
+    <message>
+        <source>Today&apos;s driver does nothing with it.</source>
+        <translation>Der heutige Treiber tut nichts damit.</translation>
+    </message>
+    <message>
+        <source>On the drone</source>
+        <translation>Auf der Drohne</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Record on the drone</source>
+        <translation>Auf der Drohne aufnehmen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Stop recording on the drone</source>
+        <translation>Aufnahme auf der Drohne beenden</translation>
+    </message>
+    <message>
+        <source>Take a picture on the drone</source>
+        <translation>Foto auf der Drohne machen</translation>
+    </message>
+    <message>
+        <source>Today&apos;s driver does nothing.</source>
+        <translation>Der heutige Treiber tut nichts.</translation>
+    </message>
+    <message>
+        <source>The drone confirms recording whatever it does: that is no proof. Its recordings are listed on the page Recordings. Use Record below the picture for a file here.</source>
+        <translation>Die Drohne bestätigt eine Aufnahme, was immer sie tut: Das ist kein Beweis. Ihre Aufnahmen stehen auf der Seite Aufnahmen. Eine Datei auf diesem Rechner macht „Aufnehmen“ unter dem Bild.</translation>
+    </message>
+    <message>
+        <source>%1: less</source>
+        <translation>%1: weniger</translation>
+    </message>
+    <message>
+        <source>%1: more</source>
+        <translation>%1: mehr</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>nicht genannt</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Setzen</translation>
     </message>
 </context>
 <context>
@@ -5268,6 +7287,71 @@ dieses zeigen.</translation>
     <message>
         <source>%1 without storing</source>
         <translation>%1 ohne Speichern</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingsPage</name>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Read again</source>
+        <translation>Neu lesen</translation>
+    </message>
+    <message>
+        <source>Ask the drone for its list once more</source>
+        <translation>Die Drohne noch einmal nach ihrer Liste fragen</translation>
+    </message>
+    <message>
+        <source>Recordings on the drone</source>
+        <translation>Aufnahmen auf der Drohne</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>The list is all that a drone offers: over this link recordings can neither be downloaded nor deleted. Take them from the memory card, or log in on the drone&apos;s computer.</source>
+        <translation>Mehr als die Liste bietet eine Drohne nicht: Über diese Verbindung lassen sich Aufnahmen weder herunterladen noch löschen. Nehmen Sie sie von der Speicherkarte, oder melden Sie sich auf dem Rechner der Drohne an.</translation>
+    </message>
+    <message>
+        <source>The drone has recorded nothing.</source>
+        <translation>Die Drohne hat nichts aufgenommen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s), %1</source>
+        <translation>
+            <numerusform>%n Aufnahme, %1</numerusform>
+            <numerusform>%n Aufnahmen, %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entry(s) of its list could not be read.</source>
+        <translation>
+            <numerusform>%n Eintrag ihrer Liste ließ sich nicht lesen.</numerusform>
+            <numerusform>%n Einträge ihrer Liste ließen sich nicht lesen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Asking the drone…</source>
+        <translation>Die Drohne wird gefragt …</translation>
+    </message>
+    <message>
+        <source>It is not connected now.</source>
+        <translation>Jetzt ist sie nicht verbunden.</translation>
+    </message>
+    <message>
+        <source>The drone has not told its list.</source>
+        <translation>Die Drohne hat ihre Liste nicht erzählt.</translation>
+    </message>
+    <message>
+        <source>Connect a drone to see what it has recorded.</source>
+        <translation>Verbinden Sie eine Drohne, um zu sehen, was sie aufgenommen hat.</translation>
     </message>
 </context>
 <context>
@@ -5657,6 +7741,14 @@ dieses zeigen.</translation>
         <source>⚠ Some of these values are in the risk class. They act at once where motors run, otherwise when they start: hold the camera, or take it off.</source>
         <translation>⚠ Manche dieser Werte gehören zur Risikoklasse. Laufen die Motoren, wirken sie sofort, sonst beim Anlaufen: Halten Sie die Kamera, oder nehmen Sie sie ab.</translation>
     </message>
+    <message>
+        <source>Lines that change</source>
+        <translation>Zeilen, die sich ändern</translation>
+    </message>
+    <message>
+        <source>⚠ Some of these values are in the risk class: with a wrong one the drone swings at once when it is armed. Try them with the propellers off, or in a test stand.</source>
+        <translation>⚠ Einige dieser Werte gehören zur Risikoklasse: mit einem falschen pendelt die Drohne sofort, wenn sie scharf ist. Mit abgenommenen Propellern oder im Prüfstand ausprobieren.</translation>
+    </message>
 </context>
 <context>
     <name>ScriptsPage</name>
@@ -5786,6 +7878,52 @@ dieses zeigen.</translation>
     <message>
         <source>No code: a script has a mistake</source>
         <translation>Kein Code: Ein Skript hat einen Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>SearchBar</name>
+    <message>
+        <source>Search in the text</source>
+        <translation>Im Text suchen</translation>
+    </message>
+    <message>
+        <source>Previous place</source>
+        <translation>Vorige Stelle</translation>
+    </message>
+    <message>
+        <source>Previous place (Shift+F3)</source>
+        <translation>Vorige Stelle (Umschalt+F3)</translation>
+    </message>
+    <message>
+        <source>Next place</source>
+        <translation>Nächste Stelle</translation>
+    </message>
+    <message>
+        <source>Next place (F3 or Enter)</source>
+        <translation>Nächste Stelle (F3 oder Eingabe)</translation>
+    </message>
+    <message>
+        <source>Close the search</source>
+        <translation>Suche schließen</translation>
+    </message>
+    <message>
+        <source>Close the search (Esc)</source>
+        <translation>Suche schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Not found</source>
+        <translation>Nicht gefunden</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s)</source>
+        <translation>
+            <numerusform>%n Stelle</numerusform>
+            <numerusform>%n Stellen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6705,17 +8843,13 @@ Spitze %2°</translation>
         <source>RMS</source>
         <translation>RMS</translation>
     </message>
+    <message>
+        <source>%1, from the board</source>
+        <translation>%1, vom Board</translation>
+    </message>
 </context>
 <context>
     <name>StartPage</name>
-    <message>
-        <source>No gimbal yet</source>
-        <translation>Noch kein Gimbal</translation>
-    </message>
-    <message>
-        <source>Plug the controller in with USB or a serial adapter, choose its port at the top left and connect. Rate and parity are found by the program. Nothing is sent to a port you did not choose, and nothing is written without your review.</source>
-        <translation>Stecken Sie den Controller mit USB oder einem seriellen Adapter ein, wählen Sie oben links seinen Anschluss und verbinden Sie. Rate und Parität findet das Programm. An einen Anschluss, den Sie nicht gewählt haben, wird nichts gesendet, und ohne Ihre Prüfung wird nichts geschrieben.</translation>
-    </message>
     <message>
         <source>&amp;Choose a port</source>
         <translation>&amp;Anschluss wählen</translation>
@@ -6756,13 +8890,17 @@ Spitze %2°</translation>
         <source>Unwritten changes of an earlier run:</source>
         <translation>Ungeschriebene Änderungen von früher:</translation>
     </message>
+    <message>
+        <source>No board yet</source>
+        <translation>Noch kein Board</translation>
+    </message>
+    <message>
+        <source>Plug the controller in with USB or a serial adapter, choose its port at the top left and connect. Rate and parity are found by the program. A drone is met in its own wireless network: join it, then choose its address in the same list. Nothing is sent to a port you did not choose, and nothing is written without your review.</source>
+        <translation>Schließen Sie den Controller über USB oder einen seriellen Adapter an, wählen Sie links oben seinen Anschluss und verbinden Sie. Rate und Parität findet das Programm. Eine Drohne hat ein eigenes Funknetz: Treten Sie ihm bei und wählen Sie dann ihre Adresse in derselben Liste. An einen Anschluss, den Sie nicht gewählt haben, wird nichts gesendet, und geschrieben wird nur, was Sie gesehen haben.</translation>
+    </message>
 </context>
 <context>
     <name>StatusStrip</name>
-    <message>
-        <source>Frames received per second, samples lost, answer time</source>
-        <translation>Frames je Sekunde, verlorene Messwerte, Antwortzeit</translation>
-    </message>
     <message>
         <source>no link</source>
         <translation>keine Verbindung</translation>
@@ -6810,6 +8948,129 @@ Spitze %2°</translation>
     <message>
         <source>the recording has ended</source>
         <translation>die Aufzeichnung ist zu Ende</translation>
+    </message>
+    <message>
+        <source>nothing for %1 s</source>
+        <translation>seit %1 s nichts</translation>
+    </message>
+    <message>
+        <source>↓ %1 %</source>
+        <translation>↓ %1 %</translation>
+    </message>
+    <message>
+        <source>another ground station</source>
+        <translation>andere Bodenstation</translation>
+    </message>
+    <message>
+        <source>Weak link: only %1 % of the questions are answered. Commands may be lost as well.</source>
+        <translation>Schwache Verbindung: Nur %1 % der Fragen werden beantwortet. Auch Befehle können verloren gehen.</translation>
+    </message>
+    <message>
+        <source>Weak link: the board receives only %1 % of what is sent. Commands may be lost.</source>
+        <translation>Schwache Verbindung: Das Board empfängt nur %1 % dessen, was gesendet wird. Befehle können verloren gehen.</translation>
+    </message>
+    <message>
+        <source>Slow link: an answer takes %1 ms. What is shown is old, and a stop comes late.</source>
+        <translation>Langsame Verbindung: Eine Antwort braucht %1 ms. Was angezeigt wird, ist alt, und ein Stopp kommt spät.</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>Messages received per second, samples lost, answer time</source>
+        <translation>Empfangene Nachrichten je Sekunde, verlorene Messwerte, Antwortzeit</translation>
+    </message>
+    <message>
+        <source>Messages received per second, samples lost, round trip; ↓ share of our questions that are answered, ↑ how well the board receives</source>
+        <translation>Empfangene Nachrichten je Sekunde, verlorene Messwerte, Umlaufzeit; ↓ Anteil unserer Fragen, die beantwortet werden, ↑ wie gut das Board empfängt</translation>
+    </message>
+    <message>
+        <source>Messages received per second, round trip; ↓ share of our questions that are answered, ↑ how well the board receives</source>
+        <translation>Empfangene Nachrichten je Sekunde, Umlaufzeit; ↓ Anteil unserer Fragen, die beantwortet werden, ↑ wie gut das Board empfängt</translation>
+    </message>
+    <message>
+        <source>weak link</source>
+        <translation>schwache Verbindung</translation>
+    </message>
+</context>
+<context>
+    <name>StickStepCard</name>
+    <message>
+        <source>Step response</source>
+        <translation>Sprungantwort</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Push the stick</source>
+        <translation>Knüppel drücken</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>What follows the stick</source>
+        <translation>Was dem Knüppel folgt</translation>
+    </message>
+    <message>
+        <source>Stabilised, roll and pitch follow the stick by their angle; yaw, and all axes in rate mode, by their rate.</source>
+        <translation>Stabilisiert folgen Rollen und Nicken dem Knüppel mit dem Winkel; Gieren, und im Ratenmodus alle Achsen, mit der Drehrate.</translation>
+    </message>
+    <message>
+        <source>How far the stick is pushed</source>
+        <translation>Wie weit der Knüppel gedrückt wird</translation>
+    </message>
+    <message>
+        <source>Pushes the stick of this axis to both sides by turns, for some seconds. Give it throttle first. A stand has to hold it.</source>
+        <translation>Drückt den Knüppel dieser Achse einige Sekunden lang abwechselnd nach beiden Seiten. Vorher Gas geben. Ein Prüfstand muss sie halten.</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>Arm it, give it throttle, then push the stick.</source>
+        <translation>Scharfschalten, Gas geben, dann den Knüppel drücken.</translation>
+    </message>
+    <message>
+        <source>Gain %1</source>
+        <translation>Reglerwert %1</translation>
+    </message>
+    <message>
+        <source>The stick is pushed to both sides.</source>
+        <translation>Der Knüppel wird nach beiden Seiten gedrückt.</translation>
+    </message>
+    <message>
+        <source>Broken off: it was disarmed.</source>
+        <translation>Abgebrochen: Sie wurde entschärft.</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>not reached</source>
+        <translation>nicht erreicht</translation>
+    </message>
+    <message>
+        <source>Rise %1, overshoot %2 %, settled after %3.</source>
+        <translation>Anstieg %1, Überschwingen %2 %, beruhigt nach %3.</translation>
+    </message>
+    <message>
+        <source>In the text: %1</source>
+        <translation>Im Text: %1</translation>
     </message>
 </context>
 <context>
@@ -6951,6 +9212,81 @@ Spitze %2°</translation>
     <message>
         <source>Overheating: sensor or motor hotter than</source>
         <translation>Überhitzung: Sensor oder Motor heißer als</translation>
+    </message>
+</context>
+<context>
+    <name>SystemPage</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>System</translation>
+    </message>
+    <message>
+        <source>Read again</source>
+        <translation>Neu lesen</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Ask the drone once more</source>
+        <translation>Die Drohne noch einmal fragen</translation>
+    </message>
+    <message>
+        <source>Copy all of it as text</source>
+        <translation>Alles als Text kopieren</translation>
+    </message>
+    <message>
+        <source>What the drone tells of itself</source>
+        <translation>Was die Drohne von sich erzählt</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Board</translation>
+    </message>
+    <message>
+        <source>Sensors</source>
+        <translation>Sensoren</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>not told: %1</source>
+        <translation>nicht erzählt: %1</translation>
+    </message>
+    <message>
+        <source>It cannot be read as a table; this is what came:</source>
+        <translation>Es lässt sich nicht als Tabelle lesen; so kam es:</translation>
+    </message>
+    <message>
+        <source>Asking the drone…</source>
+        <translation>Die Drohne wird gefragt …</translation>
+    </message>
+    <message>
+        <source>Connect a drone to see what it tells of its board, sensors and cameras.</source>
+        <translation>Verbinden Sie eine Drohne, um zu sehen, was sie von ihrem Board, ihren Sensoren und Kameras erzählt.</translation>
+    </message>
+    <message>
+        <source>As the drone told it on %1.</source>
+        <translation>Wie die Drohne es am %1 erzählt hat.</translation>
+    </message>
+    <message>
+        <source>As the drone told it on %1; it is not connected now.</source>
+        <translation>Wie die Drohne es am %1 erzählt hat; jetzt ist sie nicht verbunden.</translation>
     </message>
 </context>
 <context>
@@ -13572,10 +15908,6 @@ Spitze %2°</translation>
         <translation>Boscam E</translation>
     </message>
     <message>
-        <source>By one step; what it is cannot be read.</source>
-        <translation>Um eine Stufe; wie es ist, kann nicht gelesen werden.</translation>
-    </message>
-    <message>
         <source>Calibrate all sensors</source>
         <translation>Alle Sensoren kalibrieren</translation>
     </message>
@@ -13589,7 +15921,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Calibrating</source>
-        <translation>Kalibriert gerade</translation>
+        <translation>Wird kalibriert</translation>
     </message>
     <message>
         <source>Camera</source>
@@ -13682,10 +16014,6 @@ Spitze %2°</translation>
     <message>
         <source>Horizon</source>
         <translation>Horizont</translation>
-    </message>
-    <message>
-        <source>How hard the motors work against an error of the rate. In the drone&apos;s own numbers: the value of the configuration times its scale.</source>
-        <translation>Wie stark die Motoren gegen einen Fehler der Drehrate arbeiten. In den Zahlen der Drohne: Wert der Konfiguration mal ihr Faktor.</translation>
     </message>
     <message>
         <source>How hard they work against a change of the rate. In the drone&apos;s own numbers.</source>
@@ -14014,6 +16342,134 @@ Spitze %2°</translation>
     <message>
         <source>yes</source>
         <translation>ja</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Replaces the drone&apos;s program by a file, and restarts it. Broken off, its stream is silent until it is switched off and on.</source>
+        <translation>Ersetzt das Programm der Drohne durch eine Datei und startet sie neu. Nach einem Abbruch schweigt ihr Datenstrom, bis sie aus- und eingeschaltet wird.</translation>
+    </message>
+    <message>
+        <source>The file was made for this drone, and its battery lasts</source>
+        <translation>Die Datei ist für diese Drohne gemacht, und ihr Akku hält durch</translation>
+    </message>
+    <message>
+        <source>Upload firmware</source>
+        <translation>Firmware hochladen</translation>
+    </message>
+    <message>
+        <source>a zero byte</source>
+        <translation>ein Null-Byte</translation>
+    </message>
+    <message>
+        <source>there is no memory to check the text</source>
+        <translation>es gibt keinen Speicher, um den Text zu prüfen</translation>
+    </message>
+    <message>
+        <source>the drone&apos;s Lua does not know \u{}</source>
+        <translation>das Lua der Drohne kennt \u{} nicht</translation>
+    </message>
+    <message>
+        <source>How hard the motors work against an error of the rate. In the drone&apos;s own numbers: the value of the configuration text times its scale.</source>
+        <translation>Wie stark die Motoren einem Fehler der Drehrate entgegenarbeiten. In den eigenen Zahlen der Drohne: der Wert des Konfigurationstexts mal seinem Faktor.</translation>
+    </message>
+    <message>
+        <source>Base and strength count in 32nds. Kept only if all six of them are other than 0. Today&apos;s driver does nothing.</source>
+        <translation>Basis und Stärke zählen in Zweiunddreißigsteln. Sie werden nur behalten, wenn alle sechs ungleich 0 sind. Der heutige Treiber tut nichts.</translation>
+    </message>
+    <message>
+        <source>Blue, base</source>
+        <translation>Blau, Basis</translation>
+    </message>
+    <message>
+        <source>Blue, radius</source>
+        <translation>Blau, Radius</translation>
+    </message>
+    <message>
+        <source>Blue, strength</source>
+        <translation>Blau, Stärke</translation>
+    </message>
+    <message>
+        <source>By one step; what it is cannot be read. Today&apos;s driver does nothing for the shutter.</source>
+        <translation>Um eine Stufe; der Wert lässt sich nicht auslesen. Für den Verschluss tut der heutige Treiber nichts.</translation>
+    </message>
+    <message>
+        <source>Green, base</source>
+        <translation>Grün, Basis</translation>
+    </message>
+    <message>
+        <source>Green, radius</source>
+        <translation>Grün, Radius</translation>
+    </message>
+    <message>
+        <source>Green, strength</source>
+        <translation>Grün, Stärke</translation>
+    </message>
+    <message>
+        <source>Lens shading</source>
+        <translation>Vignettierung</translation>
+    </message>
+    <message>
+        <source>Next exposure mode</source>
+        <translation>Nächste Belichtungsart</translation>
+    </message>
+    <message>
+        <source>Night mode</source>
+        <translation>Nachtmodus</translation>
+    </message>
+    <message>
+        <source>Red, base</source>
+        <translation>Rot, Basis</translation>
+    </message>
+    <message>
+        <source>Red, radius</source>
+        <translation>Rot, Radius</translation>
+    </message>
+    <message>
+        <source>Red, strength</source>
+        <translation>Rot, Stärke</translation>
+    </message>
+    <message>
+        <source>Runs the drone&apos;s own script for it, if there is one. The drone repeats what it was told, which proves nothing.</source>
+        <translation>Startet das eigene Skript der Drohne dafür, falls es eines gibt. Die Drohne wiederholt, was ihr gesagt wurde; das beweist nichts.</translation>
+    </message>
+    <message>
+        <source>Set lens shading</source>
+        <translation>Vignettierung setzen</translation>
+    </message>
+    <message>
+        <source>Switches to the next one and tells which. Today&apos;s driver tells nothing.</source>
+        <translation>Schaltet zur nächsten weiter und sagt, zu welcher. Der heutige Treiber sagt nichts.</translation>
+    </message>
+    <message>
+        <source>Take a picture on the drone</source>
+        <translation>Foto auf der Drohne machen</translation>
+    </message>
+    <message>
+        <source>Today&apos;s driver does nothing.</source>
+        <translation>Der heutige Treiber tut nichts.</translation>
+    </message>
+    <message>
+        <source>What today&apos;s driver tells means nothing.</source>
+        <translation>Was der heutige Treiber nennt, bedeutet nichts.</translation>
+    </message>
+    <message>
+        <source>shutter.down</source>
+        <translation>Verschluss −</translation>
+    </message>
+    <message>
+        <source>shutter.up</source>
+        <translation>Verschluss +</translation>
+    </message>
+    <message>
+        <source>Round trip</source>
+        <translation>Laufzeit hin und zurück</translation>
+    </message>
+    <message>
+        <source>it sets nothing; the drone would not start with it</source>
+        <translation>er setzt nichts; die Drohne würde damit nicht starten</translation>
     </message>
 </context>
 <context>
@@ -14357,6 +16813,18 @@ Auf dem Board: %1</translation>
         <source>Discard the change. What the board has is not known now.</source>
         <translation>Die Änderung verwerfen. Was das Board jetzt hat, ist nicht bekannt.</translation>
     </message>
+    <message>
+        <source>%1 in the text</source>
+        <translation>%1 im Text</translation>
+    </message>
+    <message>
+        <source>not told by the text</source>
+        <translation>steht nicht im Text</translation>
+    </message>
+    <message>
+        <source>The text that the board keeps has another number for this value.</source>
+        <translation>Im Text, den das Board aufbewahrt, steht eine andere Zahl für diesen Wert.</translation>
+    </message>
 </context>
 <context>
     <name>VariablesPage</name>
@@ -14391,6 +16859,13 @@ Auf dem Board: %1</translation>
     <message>
         <source>Store variables</source>
         <translation>Variablen speichern</translation>
+    </message>
+</context>
+<context>
+    <name>VideoView</name>
+    <message>
+        <source>Picture of the camera</source>
+        <translation>Bild der Kamera</translation>
     </message>
 </context>
 <context>
@@ -14689,10 +17164,6 @@ Auf dem Board: %1</translation>
         <translation>Das Board sendet immer wieder dieselben Live-Daten.</translation>
     </message>
     <message>
-        <source>What they say of the gimbal and its motors is old.</source>
-        <translation>Was sie über den Gimbal und seine Motoren sagen, ist alt.</translation>
-    </message>
-    <message>
         <source>Keep clear of the gimbal. Restart the board if it stays so.</source>
         <translation>Abstand zum Gimbal halten. Das Board neu starten, wenn es so bleibt.</translation>
     </message>
@@ -14750,6 +17221,70 @@ Auf dem Board: %1</translation>
     <message>
         <source>The link was gone when it was set: %1 is not in use. Set it again when the board is back.</source>
         <translation>Als der Wert gesetzt wurde, war die Verbindung weg: %1 ist nicht in Gebrauch. Setzen Sie ihn noch einmal, wenn das Board wieder da ist.</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible with the text that the board has: %2. Nothing was changed. Mend the text there, write it, then try again.</source>
+        <translation>„%1“ ist mit dem Text, den das Board hat, nicht möglich: %2. Nichts wurde geändert. Bessern Sie den Text dort aus, schreiben Sie ihn, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Open the text at line %1</source>
+        <translation>Text bei Zeile %1 öffnen</translation>
+    </message>
+    <message>
+        <source>Open the text</source>
+        <translation>Text öffnen</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Jetzt nicht</translation>
+    </message>
+    <message>
+        <source>It is armed from here.</source>
+        <translation>Sie ist von hier scharf geschaltet.</translation>
+    </message>
+    <message>
+        <source>Nothing is written, stored or begun while its motors may turn.</source>
+        <translation>Solange ihre Motoren drehen können, wird nichts geschrieben, gespeichert oder begonnen.</translation>
+    </message>
+    <message>
+        <source>Disarm it first, on the page “Flight”.</source>
+        <translation>Zuerst entschärfen, auf der Seite „Flug“.</translation>
+    </message>
+    <message>
+        <source>It tells no attitude before a calibration</source>
+        <translation>Vor einer Kalibrierung meldet sie keine Lage</translation>
+    </message>
+    <message>
+        <source>No attitude yet</source>
+        <translation>Noch keine Lage</translation>
+    </message>
+    <message>
+        <source>Keep clear of the propellers, or stop them (F12).</source>
+        <translation>Von den Propellern fernbleiben oder sie stoppen (F12).</translation>
+    </message>
+    <message>
+        <source>You stopped “%1”.</source>
+        <translation>Sie haben „%1“ gestoppt.</translation>
+    </message>
+    <message>
+        <source>It had begun, and the board heard nothing until it was over.</source>
+        <translation>Es hatte begonnen, und bis es vorbei war, hörte das Board nichts.</translation>
+    </message>
+    <message>
+        <source>The motors are proven to stand.</source>
+        <translation>Die Motoren stehen, das ist bewiesen.</translation>
+    </message>
+    <message>
+        <source>That the motors stand is not proven yet.</source>
+        <translation>Dass die Motoren stehen, ist noch nicht bewiesen.</translation>
+    </message>
+    <message>
+        <source>Keep clear of the propellers, or have the motors stopped (F12).</source>
+        <translation>Von den Propellern fernbleiben oder die Motoren stoppen (F12).</translation>
+    </message>
+    <message>
+        <source>What they say of its motors is old.</source>
+        <translation>Was sie über seine Motoren sagen, ist alt.</translation>
     </message>
 </context>
 </TS>

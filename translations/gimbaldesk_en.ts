@@ -49,6 +49,47 @@
     </message>
 </context>
 <context>
+    <name>BenchPage</name>
+    <message numerus="yes">
+        <source>The drone has %n motor(s).</source>
+        <translation>
+            <numerusform>The drone has %n motor.</numerusform>
+            <numerusform>The drone has %n motors.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The drone hears nothing for %n more second(s), also no stop. Stop motors (F12) is then the first thing that it hears. To stop it at once: its battery.</source>
+        <translation>
+            <numerusform>The drone hears nothing for %n more second, also no stop. Stop motors (F12) is then the first thing that it hears. To stop it at once: its battery.</numerusform>
+            <numerusform>The drone hears nothing for %n more seconds, also no stop. Stop motors (F12) is then the first thing that it hears. To stop it at once: its battery.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>BlackBoxPage</name>
+    <message numerus="yes">
+        <source>%n line(s)</source>
+        <translation>
+            <numerusform>%n line</numerusform>
+            <numerusform>%n lines</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n name(s)</source>
+        <translation>
+            <numerusform>%n name</numerusform>
+            <numerusform>%n names</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) of the file could not be read.</source>
+        <translation>
+            <numerusform>%n place of the file could not be read.</numerusform>
+            <numerusform>%n places of the file could not be read.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>BoardWriter</name>
     <message numerus="yes">
         <source>%n value(s) written and read back.</source>
@@ -101,12 +142,70 @@
     </message>
 </context>
 <context>
+    <name>CameraPage</name>
+    <message numerus="yes">
+        <source>%n frame(s) lost</source>
+        <translation>
+            <numerusform>%n frame lost</numerusform>
+            <numerusform>%n frames lost</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged picture(s)</source>
+        <translation>
+            <numerusform>%n damaged picture</numerusform>
+            <numerusform>%n damaged pictures</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) that could not be decoded</source>
+        <translation>
+            <numerusform>%n frame that could not be decoded</numerusform>
+            <numerusform>%n frames that could not be decoded</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ChannelModel</name>
     <message numerus="yes">
         <source>%n value(s)</source>
         <translation>
             <numerusform>%n value</numerusform>
             <numerusform>%n values</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) came that are no numbers, or not initialised; they are gaps.</source>
+        <translation>
+            <numerusform>%n value came that is no number, or not initialised; it is a gap.</numerusform>
+            <numerusform>%n values came that are no numbers, or not initialised; they are gaps.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>DiffView</name>
+    <message numerus="yes">
+        <source>⋯ %n line(s) without a difference</source>
+        <translation>
+            <numerusform>⋯ %n line without a difference</numerusform>
+            <numerusform>⋯ %n lines without a difference</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>DocumentsPage</name>
+    <message numerus="yes">
+        <source>%n line(s) added</source>
+        <translation>
+            <numerusform>%n line added</numerusform>
+            <numerusform>%n lines added</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s) removed</source>
+        <translation>
+            <numerusform>%n line removed</numerusform>
+            <numerusform>%n lines removed</numerusform>
         </translation>
     </message>
 </context>
@@ -219,6 +318,13 @@
             <numerusform>%n parts of it cannot be read and are left out, %1 in all.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>The board hears nothing for %n more second(s), also no stop. The stop is queued as the first thing that it hears then. To stop it at once, disconnect the battery.</source>
+        <translation>
+            <numerusform>The board hears nothing for %n more second, also no stop. The stop is queued as the first thing that it hears then. To stop it at once, disconnect the battery.</numerusform>
+            <numerusform>The board hears nothing for %n more seconds, also no stop. The stop is queued as the first thing that it hears then. To stop it at once, disconnect the battery.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>NumberBox</name>
@@ -268,6 +374,23 @@
     </message>
 </context>
 <context>
+    <name>RecordingsPage</name>
+    <message numerus="yes">
+        <source>%n recording(s), %1</source>
+        <translation>
+            <numerusform>%n recording, %1</numerusform>
+            <numerusform>%n recordings, %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entry(s) of its list could not be read.</source>
+        <translation>
+            <numerusform>%n entry of its list could not be read.</numerusform>
+            <numerusform>%n entries of its list could not be read.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ReviewDialog</name>
     <message numerus="yes">
         <source>%n value(s)</source>
@@ -305,6 +428,16 @@
         <translation>
             <numerusform>The text of %n other script that was not taken over is lost as well.</numerusform>
             <numerusform>The texts of %n other scripts that were not taken over are lost as well.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>SearchBar</name>
+    <message numerus="yes">
+        <source>%n place(s)</source>
+        <translation>
+            <numerusform>%n place</numerusform>
+            <numerusform>%n places</numerusform>
         </translation>
     </message>
 </context>

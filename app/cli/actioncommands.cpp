@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command.h"
+#include "app/cli/actioncommand.h"
+#include "protocol/device/flight.h"
 #include "protocol/procedure/motorsnow.h"
 #include "protocol/procedure/safeaction.h"
 
@@ -13,72 +14,46 @@ namespace {
 
 constexpr auto kStopPatience = 1s;  // before a stop that is not over is told of
 
-Result<QMap<QString, QString>> assignments(const QStringList &words)
-{
-    QMap<QString, QString> map;
-    for (const QString &word : words) {
-        if (word.indexOf(u'=') < 1)
-            return failure(ErrorCode::InvalidArgument, u"'%1' is not ARG=VALUE"_s.arg(word));
-        map.insert(word.section(u'=', 0, 0), word.section(u'=', 1));
-    }
-    return map;
-}
-
-const ActionSpec *findAction(const Device &device, const QString &key)
-{
-    const auto actions = device.actions();
-    const auto it = std::find_if(actions.begin(), actions.end(), [&key](const ActionSpec &action) {
-        return key == QLatin1String(action.key);
-    });
-    return it == actions.end() ? nullptr : &*it;
-}
-
-// Whether it, or one of its entries, cuts the motors' current.
-bool mayLetGo(const ActionSpec &action)
-{
-    return action.letsGo
-        || std::any_of(action.entries.begin(), action.entries.end(),
-                       [](const EntryEffect &entry) { return entry.letsGo; });
-}
-
-// An action that no board answers is sent; whether it was done nobody can tell.
-CommandOutcome doneOutcome(const QString &key, const ActionReply &reply, bool answered = true,
-                           const ActionSpec *action = nullptr)
-{
-    const QString state = answered ? u"done"_s : u"sent"_s;
-    CommandOutcome outcome;
-    QJsonObject units;
-    for (auto it = reply.begin(); it != reply.end(); ++it) {
-        QStringList values;
-        for (const QVariant &value :
-             it->typeId() == QMetaType::QVariantList ? it->toList() : QVariantList{*it})
-            values.append(value.typeId() == QMetaType::Double ? QString::number(value.toDouble(), 'g', 6)
-                                                              : value.toString());
-        const QString unit = action ? replyUnit(*action, it.key()) : QString();
-        outcome.text += u"%1 %2%3\n"_s.arg(it.key().leftJustified(20), values.join(u' '),
-                                           unit.isEmpty() ? QString() : u' ' + unit);
-        if (!unit.isEmpty())
-            units.insert(it.key(), unit);
-    }
-    outcome.json = QJsonObject{{u"action"_s, key},
-                               {u"done"_s, answered},
-                               {u"state"_s, state},
-                               {u"reply"_s, QJsonObject::fromVariantMap(reply)},
-                               {u"units"_s, units}};
-    if (outcome.text.isEmpty() || !answered)
-        outcome.text += state + u'\n';
-    return outcome;
-}
-
 const QString kStopKey = u"motors.off"_s;
 
+// What another ground streams arms again within a period of it.
+constexpr auto kLookEvery = 50ms;
+constexpr auto kStaysFor = 300ms;  // disarmed: nobody streams
+constexpr auto kLookOn = 1500ms;  // at most; who steered it may need a moment to let go
+
+/// Looks on after a stop that was proven, on the worker: whether the machine is armed again. Errors: Timeout
+/// where it fell silent, those of the channel.
+Result<bool> findArmedAgain(Channel &channel, Device &device)
+{
+    const TimePoint begin = channel.now();
+    TimePoint armedAt = begin;
+    bool isArmed = false;
+    int answers = 0;
+    while (channel.now() - begin < kLookOn && (answers < 3 || channel.now() - armedAt < kStaysFor)) {
+        const auto told = device.flight()->askArmed(channel);
+        if (!told && told.error().code != ErrorCode::Timeout)
+            return tl::unexpected(told.error());
+        if (told) {
+            isArmed = *told;
+            answers = isArmed ? 0 : answers + 1;
+        }
+        if (isArmed)
+            armedAt = channel.now();
+        if (const auto slept = channel.sleep(kLookEvery); !slept)
+            return tl::unexpected(slept.error());
+    }
+    // One that has fallen silent proves nothing.
+    if (answers == 0 && !isArmed)
+        return failure(ErrorCode::Timeout, u"it does not answer any more"_s);
+    return isArmed;
+}
+
 // Whatever ended a stop, nobody has seen it work; the words for NotProven say so themselves.
-QString unstopped(const Error &error)
+QString unstopped(const Error &error, std::optional<bool> flies)
 {
     if (error.code == ErrorCode::NotProven || error.code == ErrorCode::ReadOnly)
         return {};
-    return u"nobody has seen the motors stop, and they may be running: hold the camera and disconnect the "
-           "power"_s;
+    return u"nobody has seen the motors stop, and they may be running: "_s + keepAwayText(flies);
 }
 
 /// Stops the motors for a command, which always works: runs the board's stop plan until something confirms
@@ -98,16 +73,22 @@ public:
             return;
         }
         m_client = &client;
+        m_flies = client.device() && client.device()->flight();
         connect(&client, &DeviceClient::motorsOffFinished, this, &MotorStop::onStopped);
         connect(&client, &DeviceClient::motorsOffSettled, this, &MotorStop::onSettled);
         connect(&m_repeating, &QTimer::timeout, this, [this] {
             emit m_command.told(u"the motors are not proven to be off; still stopping them"_s);
         });
-        sayUnlessOver(u"the board does not confirm yet that the motors are off: the command is repeated; "
-                      u"hold the camera"_s);
+        sayUnlessOver(u"the board does not confirm yet that the motors are off: the command is repeated; "_s
+                      + (m_flies ? u"keep clear of the propellers"_s : u"hold the camera"_s));
         client.motorsOff();
     }
     [[nodiscard]] bool isRunning() const { return m_client; }
+    /// Empty: no board has answered.
+    [[nodiscard]] std::optional<bool> flies() const
+    {
+        return m_client ? std::optional(m_flies) : std::nullopt;
+    }
     /// The link was lost. False: nothing was being stopped.
     bool endsWith(const Error &error)
     {
@@ -146,8 +127,10 @@ private:
             m_patience.stop();
             emit m_command.told(
                 u"the board did not confirm that the motors are off, and they may still be running: "
-                "stopping them goes on until it does (Ctrl-C ends it). Hold the camera; disconnecting "
-                "the power stops them too"_s);
+                "stopping them goes on until it does (Ctrl-C ends it). "_s
+                + (m_flies ? u"Keep clear of the propellers; taking out the battery from a safe place "_s
+                           : u"Hold the camera; disconnecting the power "_s)
+                + u"stops them too"_s);
             if (m_client->device() && m_client->device()->stopPlan().restore)
                 emit m_command.told(
                     u"if the board takes the stop late, its motors are disabled in volatile memory: restart "
@@ -158,140 +141,68 @@ private:
     void onSettled(bool restored)
     {
         m_patience.stop();
+        if (!m_flies || !restored) {
+            tellStopped(restored);
+            return;
+        }
+        m_client->submit<bool>(&findArmedAgain).then(this, [this](const Result<bool> &armed) {
+            const ChannelRoles &roles = m_client->roles();
+            const auto store = m_client->telemetry();
+            const auto latest
+                = [&](int channel) { return store && channel >= 0 ? store->latest(channel) : 0.0F; };
+            if (!armed)
+                emit m_command.finished(
+                    failure(ErrorCode::NotProven, u"whether it stayed disarmed: "_s + armed.error().detail));
+            else if (*armed || latest(roles.outputs) > 0)
+                tellArmedAgain();
+            else
+                tellStopped(true);
+        });
+    }
+    void tellArmedAgain()
+    {
+        emit m_command.finished(
+            notDone(doneOutcome(kStopKey, {}), u"armed again"_s, u"armed again\n"_s,
+                    u"the motors were stopped, and the drone was armed again by another ground station that "
+                    u"steers it: they can turn again. Disarm it there or end that program, keep clear of "
+                    u"the propellers until then, and stop the motors once more"_s));
+    }
+    static CommandOutcome notDone(CommandOutcome outcome, const QString &state, const QString &text,
+                                  const QString &note)
+    {
+        QJsonObject json = outcome.json.toObject();
+        json.insert(u"error"_s, note);
+        json.insert(u"done"_s, false);
+        json.insert(u"state"_s, state);
+        outcome.json = json;
+        outcome.note = note;
+        outcome.text = text;
+        outcome.exitCode = Refused;
+        return outcome;
+    }
+    void tellStopped(bool restored)
+    {
         CommandOutcome outcome = doneOutcome(kStopKey, {});
         QJsonObject json = outcome.json.toObject();
         json.insert(u"restored"_s, restored);
         outcome.json = json;
-        if (!restored) {
-            outcome.note
-                = u"the motors are off, but disabled in volatile memory, and what was in use before could "
-                  u"not be put back: restart the board before you use them (gimbalctl do restart), and "
-                  u"store nothing before"_s;
-            json.insert(u"error"_s, outcome.note);
-            json.insert(u"done"_s, false);
-            json.insert(u"state"_s, u"off, not restored"_s);
-            outcome.json = json;
-            outcome.text = u"the motors are off\n"_s;
-            outcome.exitCode = Refused;
-        }
+        if (!restored)
+            outcome = notDone(
+                outcome, u"off, not restored"_s, u"the motors are off\n"_s,
+                u"the motors are off, but disabled in volatile memory, and what was in use before could "
+                u"not be put back: restart the board before you use them (gimbalctl do restart), and "
+                u"store nothing before"_s);
         emit m_command.finished(outcome);
     }
 
     static constexpr auto kToldAgain = 5s;
     Command &m_command;
     DeviceClient *m_client = nullptr;
+    bool m_flies = false;
     QTimer m_patience;
     QTimer m_repeating;
     bool m_isProven = false;
 };
-
-/// Performs one of the board's actions.
-class ActionCommand : public BoardCommand
-{
-public:
-    using BoardCommand::BoardCommand;
-    QList<CommandOption> options() override
-    {
-        return {switchOption(u"confirmed"_s,
-                             u"what the action asks to be confirmed each time is so (see \"do help\")"_s,
-                             m_confirmed)};
-    }
-
-protected:
-    /// The action and its arguments.
-    [[nodiscard]] virtual QString actionKey() const = 0;
-    [[nodiscard]] virtual QStringList given() const = 0;
-    [[nodiscard]] QList<int> awaits(const Device &device) const override
-    {
-        const ActionSpec *action = findAction(device, actionKey());
-        QList<int> channels;
-        for (const Condition condition : action ? action->needs : std::span<const Condition>()) {
-            if (const int channel = channelOf(condition, rolesOf(device)); channel >= 0)
-                channels.append(channel);
-        }
-        if (const int outputs = rolesOf(device).outputs; action && mayLetGo(*action) && outputs >= 0)
-            channels.append(outputs);
-        return channels;
-    }
-    Result<CommandOutcome> run(Channel &channel, Device &device) override;
-
-private:
-    bool m_confirmed = false;
-};
-
-Result<CommandOutcome> ActionCommand::run(Channel &channel, Device &device)
-{
-    const ActionSpec *action = findAction(device, actionKey());
-    if (!action) {
-        QStringList names;
-        for (const ActionSpec &each : device.actions())
-            names.append(QLatin1String(each.key));
-        return failure(ErrorCode::InvalidArgument,
-                       u"no action '%1'; there are: %2"_s.arg(actionKey(), names.join(u", "_s)));
-    }
-    const auto texts = assignments(given());
-    if (!texts)
-        return tl::unexpected(texts.error());
-    if (const auto clear = checkClear(*action, *texts); !clear)
-        return tl::unexpected(clear.error());
-    const auto arguments = parseArguments(*action, *texts);
-    if (!arguments)
-        return tl::unexpected(arguments.error());
-    if (*action->confirm && !m_confirmed) {
-        return failure(ErrorCode::InvalidArgument,
-                       u"%1 has to be confirmed with --confirmed each time: \"%2\""_s.arg(
-                           actionKey(), QString::fromUtf8(action->confirm)));
-    }
-    if (chosenAction(*action, *arguments).risk == ActionRisk::Destroys && !m_confirmed) {
-        return failure(ErrorCode::InvalidArgument,
-                       u"%1 replaces values on the board: confirm it with --confirmed"_s.arg(actionKey()));
-    }
-    if (chosenAction(*action, *arguments).letsGo && !m_confirmed) {
-        const std::optional<bool> run = motorsRun(device, latest(), channel.now());
-        if (run.value_or(true))
-            return failure(
-                ErrorCode::InvalidArgument,
-                u"%1 makes the motors let go, and what they hold falls; %2: hold it and confirm "
-                "with --confirmed"_s.arg(actionKey(),
-                                         run ? u"they are running"_s : u"nothing tells whether they run"_s));
-    }
-    const auto done = performSafely(channel, device, actionKey(), *arguments, history(), {}, latest());
-    if (!done)
-        return tl::unexpected(done.error());
-    CommandOutcome outcome
-        = doneOutcome(actionKey(), done->reply, done->answered && !done->isStoreUntold, action);
-    QJsonObject json = outcome.json.toObject();
-    if (!done->snapshotPath.isEmpty()) {
-        json.insert(u"snapshot"_s, done->snapshotPath);
-        outcome.note = u"snapshot: "_s + done->snapshotPath;
-    }
-    if (done->isStoreUntold || done->reply.value(u"stored"_s) == u"confirmed"_s) {
-        json.insert(u"storeUntold"_s, true);
-        outcome.note += (outcome.note.isEmpty() ? u""_s : u"\n"_s)
-            + u"the board confirms that it has stored; as it answers with what is in use, only its next "
-              "start shows it"_s;
-    }
-    if (done->stored) {
-        if (const QString told = tellOthers(*done->stored, outcome.text, json); !told.isEmpty())
-            outcome.note += u'\n' + told;
-    }
-    QJsonArray lost;
-    for (const ParameterChange &change : done->lost) {
-        lost.append(changeJson(change));
-        outcome.text += u"%1 %2 (%3 was in use, and not stored)\n"_s.arg(
-            change.spec->key.leftJustified(28), valueText(*change.spec, change.to),
-            valueText(*change.spec, change.from));
-    }
-    if (!lost.isEmpty())
-        json.insert(u"lost"_s, lost);
-    if (done->motorsNow) {
-        json.insert(u"motorsNow"_s, *done->motorsNow);
-        outcome.note += (outcome.note.isEmpty() ? u""_s : u"\n"_s) + motorsChangedText(*done->motorsNow);
-        outcome.exitCode = Refused;
-    }
-    outcome.json = json;
-    return outcome;
-}
 
 class DoCommand final : public ActionCommand
 {
@@ -317,7 +228,7 @@ public:
     // Stopping the motors does not give up, whatever it is called.
     void start(DeviceClient &client) override
     {
-        const ActionSpec *action = findAction(*client.device(), actionKey());
+        const ActionSpec *action = actionNamed(*client.device(), actionKey());
         if (action && action->stopsMotors && given().isEmpty() && !client.address().isReplay())
             m_stop.start(client);
         else
@@ -327,7 +238,7 @@ public:
     [[nodiscard]] bool endsWith(const Error &error) override { return m_stop.endsWith(error); }
     [[nodiscard]] QString leftOpen(const Error &error) const override
     {
-        return m_stop.isRunning() || actionKey() == kStopKey ? unstopped(error) : QString();
+        return m_stop.isRunning() || actionKey() == kStopKey ? unstopped(error, m_stop.flies()) : QString();
     }
     void stop() override
     {
@@ -343,7 +254,7 @@ protected:
     // Any action by which the motors were to stop.
     [[nodiscard]] bool goesOnAfter(const Error &error) override
     {
-        const ActionSpec *action = findAction(*client().device(), actionKey());
+        const ActionSpec *action = actionNamed(*client().device(), actionKey());
         if (error.code != ErrorCode::NotProven || !action || action->isProcedure || !client().isConnected())
             return false;
         m_stop.start(client());
@@ -424,17 +335,81 @@ class CalibrateCommand final : public ActionCommand
 public:
     using ActionCommand::ActionCommand;
     const char *name() const override { return "calibrate"; }
-    const char *words() const override { return "NAME [ARG=VALUE...]"; }
-    QString help() const override { return u"calibrate a sensor; \"do help\" lists what the board can"_s; }
+    const char *words() const override { return "[NAME [ARG=VALUE...]]"; }
+    QString help() const override
+    {
+        return u"calibrate a sensor, the gyroscope without a name; \"do help\" lists what the board can"_s;
+    }
     const char *example() const override { return "--link serial:/dev/ttyUSB0 calibrate gyro"; }
+    QList<CommandOption> options() override
+    {
+        return ActionCommand::options() << switchOption(
+                   u"full"_s, u"all sensors at once, where the board can: as the name \"all\""_s, m_full);
+    }
     QString check() const override
     {
-        return arguments().isEmpty() ? u"calibrate needs a name; \"do help\" lists the board's"_s : QString();
+        return m_full && !arguments().isEmpty() ? u"calibrate takes either a name or --full"_s : QString();
     }
 
 protected:
-    QString actionKey() const override { return u"calibrate."_s + arguments().first(); }
+    QString actionKey() const override
+    {
+        return u"calibrate."_s + (m_full ? u"all"_s : arguments().value(0, u"gyro"_s));
+    }
     QStringList given() const override { return arguments().mid(1); }
+
+private:
+    bool m_full = false;
+};
+
+class MotorTestCommand final : public ActionCommand
+{
+public:
+    using ActionCommand::ActionCommand;
+    const char *name() const override { return "motor-test"; }
+    const char *words() const override { return "N"; }
+    QString help() const override
+    {
+        return u"turn one motor, from 1, for a moment; the propellers have to be off (--confirmed)"_s;
+    }
+    const char *example() const override
+    {
+        return "--family bcflight --link udp://192.168.32.1:2020 motor-test 2 --confirmed";
+    }
+    bool moves() const override { return true; }
+    QString check() const override
+    {
+        bool isNumber = false;
+        const int motor = arguments().value(0).toInt(&isNumber);
+        return arguments().size() == 1 && isNumber && motor > 0 ? QString()
+                                                                : u"motor-test needs the number of a motor"_s;
+    }
+
+protected:
+    QString actionKey() const override { return u"motor.test"_s; }
+    QStringList given() const override { return {u"motor="_s + arguments().first()}; }
+};
+
+class UploadCommand final : public ActionCommand
+{
+public:
+    using ActionCommand::ActionCommand;
+    const char *name() const override { return "upload"; }
+    const char *words() const override { return "FILE"; }
+    QString help() const override
+    {
+        return u"replace the board's firmware by a file, where it takes one over this link (--confirmed)"_s;
+    }
+    const char *example() const override
+    {
+        return "--family bcflight --link udp://192.168.32.1:2020 upload flight --confirmed";
+    }
+    bool moves() const override { return true; }
+    QString check() const override { return arguments().size() == 1 ? QString() : u"upload needs a file"_s; }
+
+protected:
+    QString actionKey() const override { return u"firmware.upload"_s; }
+    QStringList given() const override { return {u"file="_s + arguments().first()}; }
 };
 
 class AutotuneCommand final : public ActionCommand
@@ -469,7 +444,7 @@ public:
     [[nodiscard]] bool endsWith(const Error &error) override { return m_stop.endsWith(error); }
     [[nodiscard]] QString leftOpen(const Error &error) const override
     {
-        return arguments().first() == u"off"_s ? unstopped(error) : QString();
+        return arguments().first() == u"off"_s ? unstopped(error, m_stop.flies()) : QString();
     }
     void start(DeviceClient &client) override
     {
@@ -493,7 +468,7 @@ private:
     static Result<CommandOutcome> on(Channel &channel, Device &device, const BoardHistory &history)
     {
         const QString key = u"motors.on"_s;
-        if (findAction(device, key)) {
+        if (actionNamed(device, key)) {
             return performSafely(channel, device, key, {}, history).map([&key](const ActionOutcome &done) {
                 return doneOutcome(key, done.reply, done.answered);
             });
@@ -576,5 +551,6 @@ private:
 
 Commands actionCommands(const CommandContext &context)
 {
-    return makeCommands<DoCommand, CalibrateCommand, AutotuneCommand, MotorsCommand, StreamsCommand>(context);
+    return makeCommands<DoCommand, CalibrateCommand, MotorTestCommand, UploadCommand, AutotuneCommand,
+                        MotorsCommand, StreamsCommand>(context);
 }

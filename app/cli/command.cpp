@@ -89,7 +89,8 @@ Result<QList<int>> findChannels(ChannelTable table, const QStringList &keys)
 Commands allCommands(const CommandContext &context)
 {
     Commands all;
-    for (auto part : {parameterCommands, fileCommands, actionCommands, recordingCommands, linkCommands}) {
+    for (auto part : {parameterCommands, fileCommands, textCommands, actionCommands, recordingCommands,
+                      linkCommands, videoCommands}) {
         for (auto &command : part(context))
             all.push_back(std::move(command));
     }
@@ -167,8 +168,13 @@ void BoardCommand::start(DeviceClient &client)
         if (confirmed)
             return;
         m_goesOn = true;
-        emit told(u"the board did not confirm that it has stopped turning the camera, which may go on "
-                  "moving: stop it by \"gimbalctl motors off\", or hold it and disconnect the power"_s);
+        emit told(flies()
+                      ? u"the drone did not confirm that it is disarmed, and may go on with its last "
+                        u"throttle: stop "
+                        "it by \"gimbalctl motors off\"; "_s
+                          + keepAwayText(true)
+                      : u"the board did not confirm that it has stopped turning the camera, which may go on "
+                        "moving: stop it by \"gimbalctl motors off\", or hold it and disconnect the power"_s);
     });
     if (moves()) {
         tellCondition(client);
@@ -288,7 +294,7 @@ void BoardCommand::readAgain()
             if (!m_interrupted)
                 return;
             if (*goesOn)
-                emit told(consoleText(**goesOn).oneLine());
+                emit told(consoleText(**goesOn, flies()).oneLine());
             else if (board && !endedBy.isEmpty())
                 emit told(u"the board was told to end it, and was seen to have ended it"_s);
             if (!board && !isUntold(board.error()))
@@ -336,6 +342,13 @@ void BoardCommand::stop()
         return;
     }
     m_client->cancelJobs();
+    const double deaf = seconds(m_client->deafUntil() - Clock::now());
+    if (deaf <= 0)
+        return;
+    // What it carries out cannot be called back.
+    m_client->motorsOff();
+    emit told(u"the board hears nothing for %1 s more, also no stop: the stop is queued as the first thing "
+              "that it hears then. To stop it at once, disconnect the battery"_s.arg(deaf, 0, 'f', 0));
 }
 
 CommandOption switchOption(const QString &name, const QString &help, bool &on)
@@ -419,14 +432,6 @@ QString changeText(const Configuration &configuration, const std::vector<Paramet
     return text;
 }
 
-QString dataText(const std::vector<DataChange> &changes)
-{
-    QString text;
-    for (const DataChange &change : changes)
-        text += u"%1 %2 differ\n"_s.arg(QString(), -14).arg(QLatin1String(change.spec->data));
-    return text;
-}
-
 CommandOption partialOption(bool &on)
 {
     return switchOption(u"partial"_s, u"parts of the board, or of a recording, may be missing"_s, on);
@@ -493,21 +498,33 @@ void reportLeftOut(CommandOutcome &outcome, const QList<ReplayGap> &gaps, bool p
         outcome.exitCode = Refused;
 }
 
-ErrorText forConsole(ErrorText text, ErrorCode code)
+QString keepAwayText(std::optional<bool> flies)
 {
+    if (!flies)
+        return u"hold the camera, or keep clear of a drone's propellers, and disconnect the power"_s;
+    return *flies ? u"keep clear of the propellers, and take out the battery from a safe place"_s
+                  : u"hold the camera and disconnect the power"_s;
+}
+
+ErrorText forConsole(ErrorText text, ErrorCode code, bool flies)
+{
+    if (flies && code == ErrorCode::NotProven)
+        text.cure = u"Keep clear of the propellers, and take out the battery from a safe place."_s;
+    if (flies && code == ErrorCode::GoesOn)
+        text.meaning = u"Its motors may be turning."_s;
     if (code == ErrorCode::LinkClosed)
         text.cure = u"Check cable and power, then run the command again."_s;
     return text;
 }
 
-ErrorText consoleText(const Error &error)
+ErrorText consoleText(const Error &error, bool flies)
 {
-    return forConsole(describe(error), error.code);
+    return forConsole(describe(error), error.code, flies);
 }
 
-QJsonObject errorJson(const Error &error)
+QJsonObject errorJson(const Error &error, bool flies)
 {
-    const ErrorText text = consoleText(error);
+    const ErrorText text = consoleText(error, flies);
     QJsonObject json{{u"error"_s, text.what},
                      {u"meaning"_s, text.meaning},
                      {u"cure"_s, text.cure},

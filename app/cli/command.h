@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/client/deviceclient.h"
+#include "protocol/configuration/linediff.h"
 #include "protocol/configuration/writereport.h"
 #include "protocol/device/abilities.h"
 #include "protocol/device/family.h"
@@ -30,6 +31,8 @@ struct CommandContext
     bool json = false;
     QStringList arguments;  ///< words after the command's name
     SupervisorRules rules{};
+    /// Links::offerVideo.
+    std::function<Result<quint16>(const LinkAddress &)> offerVideo = {};
 };
 
 /// An option that a command takes. Without a value name it is a switch.
@@ -125,6 +128,7 @@ protected:
     /// What the supervisor cannot see, and which faults the board reports, is told from now on.
     void tellCondition(DeviceClient &client);
     [[nodiscard]] const QStringList &arguments() const { return m_context.arguments; }
+    [[nodiscard]] const CommandContext &context() const { return m_context; }
     [[nodiscard]] const QList<Family> &families() const { return m_context.families; }
     [[nodiscard]] const BoardHistory &history() const { return m_context.history; }
     /// What the operator wants the supervisor to do.
@@ -154,6 +158,11 @@ protected:
     /// It failed; true if the command goes on by itself and tells how it ends.
     [[nodiscard]] virtual bool goesOnAfter(const Error &) { return false; }
     [[nodiscard]] DeviceClient &client() const { return *m_client; }
+    /// The board is that of a drone.
+    [[nodiscard]] bool flies() const
+    {
+        return m_client && m_client->device() && m_client->device()->flight();
+    }
     /// The newest telemetry of the board.
     [[nodiscard]] const LatestValues *latest() const { return m_telemetry.get(); }
 
@@ -196,9 +205,11 @@ using Commands = std::vector<std::unique_ptr<Command>>;
 
 [[nodiscard]] Commands parameterCommands(const CommandContext &context);
 [[nodiscard]] Commands fileCommands(const CommandContext &context);
+[[nodiscard]] Commands textCommands(const CommandContext &context);
 [[nodiscard]] Commands actionCommands(const CommandContext &context);
 [[nodiscard]] Commands recordingCommands(const CommandContext &context);
 [[nodiscard]] Commands linkCommands(const CommandContext &context);
+[[nodiscard]] Commands videoCommands(const CommandContext &context);
 
 template <typename... Each> [[nodiscard]] Commands makeCommands(const CommandContext &context)
 {
@@ -232,6 +243,10 @@ template <typename... Each> [[nodiscard]] Commands makeCommands(const CommandCon
                                  const std::vector<ParameterChange> &changes);
 /// Lines for the blocks that differ as a whole.
 [[nodiscard]] QString dataText(const std::vector<DataChange> &changes);
+/// The same in a document: "data", and for a text how many lines were "added" and "removed".
+[[nodiscard]] QJsonObject dataJson(const DataChange &change);
+/// Lines with "+", "-" or nothing before them, and only those around a difference.
+[[nodiscard]] QString differenceText(const std::vector<DiffLine> &lines);
 /// The switch for a result that may lack parts of the board, or of a recording.
 [[nodiscard]] CommandOption partialOption(bool &on);
 /// `where` of reportMissing() for a board.
@@ -250,11 +265,15 @@ void reportRounded(CommandOutcome &outcome, const QStringList &rounded);
 /// 1 unless the operator wants a partial result.
 void reportLeftOut(CommandOutcome &outcome, const QList<ReplayGap> &gaps, bool partial);
 /// Words for an error as a command says them, which has ended: no window connects again by itself.
-[[nodiscard]] ErrorText forConsole(ErrorText text, ErrorCode code);
+/// @param flies the board is that of a drone: nobody holds it while its motors turn
+[[nodiscard]] ErrorText forConsole(ErrorText text, ErrorCode code, bool flies = false);
 /// The same, from the error.
-[[nodiscard]] ErrorText consoleText(const Error &error);
+[[nodiscard]] ErrorText consoleText(const Error &error, bool flies = false);
+/// What keeps people unhurt while motors may run.
+/// @param flies empty: no board has answered
+[[nodiscard]] QString keepAwayText(std::optional<bool> flies);
 /// An error in a document: "error", "meaning", "cure" and "detail".
-[[nodiscard]] QJsonObject errorJson(const Error &error);
+[[nodiscard]] QJsonObject errorJson(const Error &error, bool flies = false);
 /// Adds an error to what came all the same, in the note and in the document (an object). The exit code is 1.
 void reportError(CommandOutcome &outcome, const Error &error);
 /// What becomes of values that are in use without being stored, beside those that are written.

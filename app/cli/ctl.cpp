@@ -86,6 +86,7 @@ Ctl::Ctl(QList<Family> families, Links links, QObject *parent)
     , m_context{std::move(families), BoardHistory(), false, {}}
     , m_commands(allCommands(m_context))
 {
+    m_context.offerVideo = m_links.offerVideo;
 }
 
 Ctl::~Ctl() = default;
@@ -93,8 +94,10 @@ Ctl::~Ctl() = default;
 QString Ctl::familyKeys(const QString &separator) const
 {
     QStringList keys;
-    for (const Family &family : m_context.families)
-        keys.append(family.key);
+    for (const Family &family : m_context.families) {
+        if (!family.links.isEmpty())
+            keys.append(family.key);
+    }
     return keys.join(separator);
 }
 
@@ -321,6 +324,7 @@ void Ctl::onState(DeviceClient::State state)
         return;
     }
     m_started = true;
+    m_flies = m_client->device()->flight();
     m_command->start(*m_client);
 }
 
@@ -368,12 +372,12 @@ void Ctl::onError(const Error &error, int exitCode)
     if (!m_leftOut.isEmpty())
         m_err << leftOutText(m_leftOut) << "\n";
     const QString open = m_command->leftOpen(error);
-    m_err << "gimbalctl: " << consoleText(error).oneLine() << "\n";
+    m_err << "gimbalctl: " << consoleText(error, m_flies).oneLine() << "\n";
     if (!open.isEmpty())
         m_err << open << "\n";
     m_err.flush();
     if (m_context.json) {
-        QJsonObject json = errorJson(error);
+        QJsonObject json = errorJson(error, m_flies);
         if (!open.isEmpty())
             json.insert(u"open"_s, open);
         m_out << toJsonText(withAlarms(json));
@@ -419,6 +423,8 @@ void Ctl::onProgress(const Progress &progress)
                         .arg(progress.values.value(u"error."_s + name), 0, 'f', 2);
         }
     }
+    if (progress.step == u"firmware-upload"_s && progress.total > 0)
+        text += u", %1 %"_s.arg(10 * (10 * progress.done / progress.total));
     if (text == m_lastProgress || progress.step == u"read-block"_s)
         return;
     m_lastProgress = text;

@@ -59,6 +59,7 @@ private:
     bool m_isNameless = false;  // shares its history with boards that look the same
     QJsonArray m_alarms;  // that were told
     bool m_wasMovedUnwanted = false;  // one of them says so
+    bool m_flies = false;  // the board is a drone's
     QList<ReplayGap> m_leftOut;  // of the recording that is replayed
     bool m_partial = false;
     bool m_started = false;

@@ -174,7 +174,7 @@ private:
             array.append(changeJson(change));
         outcome.text = changeText(sides[0], changes) + dataText(sides[0].dataChangesTo(second));
         for (const DataChange &change : sides[0].dataChangesTo(second))
-            array.append(QJsonObject{{u"data"_s, QLatin1String(change.spec->data)}});
+            array.append(dataJson(change));
         for (int i = 0; i < sides[0].identity().profileCount; ++i) {
             if (sides[0].profileNames().value(i) == second.profileNames().value(i))
                 continue;
@@ -255,7 +255,7 @@ public:
             for (const ParameterChange &change : changes)
                 array.append(changeJson(change));
             for (const DataChange &change : base->dataChangesTo(edited))
-                array.append(QJsonObject{{u"data"_s, QLatin1String(change.spec->data)}});
+                array.append(dataJson(change));
             outcome->json = array;
             outcome->text = array.isEmpty()
                 ? u"nothing would change\n"_s

@@ -7,12 +7,15 @@
 #include "protocol/client/samplewatch.h"
 #include "protocol/record/recorder.h"
 #include "protocol/record/udpexport.h"
+#include "protocol/session/linkstatistics.h"
 #include "protocol/supervisor/boardlimits.h"
 #include "protocol/telemetry/telemetryplan.h"
+#include "protocol/telemetry/telemetrystore.h"
 #include "widgets/models/errortext.h"
 #include "widgets/models/thinningtext.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -289,6 +292,103 @@ private:
     std::unique_ptr<RecordingTask> m_task;
 };
 
+/// How good the link is, after some seconds of it.
+class LinkCommand final : public Command
+{
+public:
+    using Command::Command;
+    const char *name() const override { return "link"; }
+    QString help() const override { return u"round trip, answers, and what was lost, over some seconds"_s; }
+    const char *example() const override { return "--link udp://192.168.32.1:2020 link --seconds 5"; }
+    QString check() const override { return arguments().isEmpty() ? QString() : u"link takes no words"_s; }
+    QList<CommandOption> options() override
+    {
+        return {{u"seconds"_s, u"N"_s, u"how long it is measured, 5 without it"_s,
+                 [this](const QString &text) -> Result<void> {
+                     bool ok = false;
+                     m_seconds = text.toDouble(&ok);
+                     if (ok && m_seconds >= kShortest && m_seconds <= kLongest)
+                         return {};
+                     return failure(ErrorCode::InvalidArgument,
+                                    u"--seconds needs a number from %1, not '%2'"_s.arg(kShortest).arg(text));
+                 }}};
+    }
+    void start(DeviceClient &client) override
+    {
+        m_client = &client;
+        client.subscribe({});
+        QTimer::singleShot(milliseconds(qint64(m_seconds * 1000)), this, [this] { stop(); });
+    }
+
+    void stop() override
+    {
+        if (!m_client)
+            return;
+        const LinkStatistics &link = m_client->statistics();
+        const std::optional<Duration> time
+            = link.quality && link.quality->roundTrip ? link.quality->roundTrip : link.roundTrip;
+        const auto store = m_client->telemetry();
+        CommandOutcome outcome;
+        QJsonObject json{{u"bytesIn"_s, qint64(link.bytesIn)},
+                         {u"bytesOut"_s, qint64(link.bytesOut)},
+                         {u"framesPerSecond"_s, link.framesPerSecond},
+                         {u"damaged"_s, qint64(link.framing.headerErrors + link.framing.bodyErrors)},
+                         {u"unanswered"_s, qint64(link.timeouts)}};
+        outcome.text = u"received          %1 bytes, %2 frames/s, %3 damaged\n"
+                       u"sent              %4 bytes, %5 without an answer\n"_s.arg(link.bytesIn)
+                           .arg(link.framesPerSecond, 0, 'f', 0)
+                           .arg(link.framing.headerErrors + link.framing.bodyErrors)
+                           .arg(link.bytesOut)
+                           .arg(link.timeouts);
+        const auto add
+            = [&](const QString &key, const QString &label, double value, const QString &unit, int digits) {
+                  json.insert(key, value);
+                  outcome.text += u"%1 %2 %3\n"_s.arg(label.leftJustified(18),
+                                                      QString::number(value, 'f', digits), unit);
+              };
+        if (time)
+            add(u"roundTripMs"_s, u"round trip"_s, seconds(*time) * 1000, u"ms"_s, 1);
+        if (link.quality && link.quality->answered)
+            add(u"answeredPercent"_s, u"answered"_s, *link.quality->answered * 100, u"%"_s, 0);
+        if (const int there = m_client->roles().receiveQuality;
+            store && there >= 0 && !std::isnan(store->latest(there)))
+            add(u"boardReceivesPercent"_s, u"the board receives"_s, double(store->latest(there)), u"%"_s, 0);
+        if (store)
+            addInvalid(outcome, json, *store);
+        if (link.quality) {
+            json.insert(u"otherStation"_s, link.quality->isShared);
+            json.insert(u"foreignAnswers"_s, qint64(link.quality->foreign));
+            if (link.quality->isShared)
+                outcome.text += u"another ground station talks to the same board: answers and live data "
+                                u"are missing\n"_s;
+        }
+        outcome.json = json;
+        m_client = nullptr;
+        emit finished(outcome);
+    }
+
+private:
+    // Values that were none, by channel.
+    void addInvalid(CommandOutcome &outcome, QJsonObject &json, const TelemetryStore &store) const
+    {
+        QJsonObject counts;
+        const ChannelTable table = m_client->device()->channels();
+        for (int channel = 0; channel < store.channelCount(); ++channel) {
+            const quint64 invalid = store.invalid(channel);
+            if (invalid == 0)
+                continue;
+            const QString key = QString::fromLatin1(table[std::size_t(channel)].key);
+            counts.insert(key, qint64(invalid));
+            outcome.text += u"no numbers        %1 of %2\n"_s.arg(invalid).arg(key);
+        }
+        json.insert(u"invalid"_s, counts);
+    }
+
+    static constexpr double kShortest = 0.5;
+    DeviceClient *m_client = nullptr;
+    double m_seconds = 5;
+};
+
 class PublishCommand final : public StreamingCommand
 {
 public:
@@ -335,5 +435,5 @@ private:
 
 Commands linkCommands(const CommandContext &context)
 {
-    return makeCommands<MonitorCommand, RecordCommand, PublishCommand, MeasureCommand>(context);
+    return makeCommands<MonitorCommand, RecordCommand, LinkCommand, PublishCommand, MeasureCommand>(context);
 }

@@ -44,6 +44,13 @@ Result<int> chosenProfile(int number, const Configuration &configuration)
     return number - 1;
 }
 
+// "inText": the number that stands for it in a text of the board.
+void addFigure(QJsonObject &json, const Configuration &configuration, const ParameterSpec &spec, double raw)
+{
+    if (const auto figure = configuration.textFigure(spec, raw))
+        json.insert(u"inText"_s, *figure);
+}
+
 QJsonObject parameterJson(const ParameterSpec &spec, int profile, double raw)
 {
     QJsonObject json{{u"key"_s, spec.key},
@@ -90,12 +97,15 @@ public:
         outcome.json = known;
         // Its own name, where the family has one.
         const QString own = identity.extra.value(u"name"_s).toString();
+        // Of its protocol.
+        const QString generation = identity.extra.value(u"generation"_s).toString();
         outcome.text = (own.isEmpty() ? QString() : u"name         %1\n"_s.arg(own))
             + (called.isEmpty() ? QString() : u"called       %1\n"_s.arg(called))
-            + u"board        %1\nfirmware     %2%3\nserial       %4\nprofiles     %5\nport         %6\n"
-              u"can          %7\n"_s
-                  .arg(identity.model, identity.firmware, identity.writable ? QString() : u" (read-only)"_s,
-                       isNumbered ? identity.serial : u"none"_s)
+            + u"board        %1\nfirmware     %2%3\n"_s.arg(identity.model, identity.firmware,
+                                                            identity.writable ? QString() : u" (read-only)"_s)
+            + (generation.isEmpty() ? QString() : u"generation   %1\n"_s.arg(generation))
+            + u"serial       %1\nprofiles     %2\nport         %3\ncan          %4\n"_s
+                  .arg(isNumbered ? identity.serial : u"none"_s)
                   .arg(identity.profileCount)
                   .arg(identity.usb ? u"USB"_s : identity.extra.value(u"port"_s, u"UART"_s).toString(),
                        capabilities.join(u", "_s));
@@ -143,9 +153,13 @@ public:
             const auto raw = configuration->raw(spec, *profile);
             if (!raw || !matcher.match(spec.key).hasMatch())
                 continue;
-            array.append(parameterJson(spec, *profile, *raw));
-            const QString range
+            QJsonObject json = parameterJson(spec, *profile, *raw);
+            addFigure(json, *configuration, spec, *raw);
+            array.append(json);
+            QString range
                 = spec.row->kind == ValueKind::Number ? spec.minText() + u".."_s + spec.maxText() : QString();
+            if (const auto figure = configuration->textFigure(spec, *raw))
+                range += u"  %1 in the text"_s.arg(plainNumber(*figure));
             outcome.text += u"%1 %2 %3\n"_s.arg(spec.key.leftJustified(32),
                                                 valueText(spec, *raw).leftJustified(24), range);
         }
@@ -185,6 +199,7 @@ public:
         if (!profile)
             return tl::unexpected(profile.error());
         CommandOutcome outcome;
+        QStringList notes;  // for people: the value alone is for scripts
         QJsonArray array;
         for (const QString &key : arguments()) {
             const ParameterSpec *spec = configuration->parameters().find(key);
@@ -194,11 +209,16 @@ public:
                 return tl::unexpected(known.error());
             if (!raw)
                 return failure(ErrorCode::InvalidArgument, u"there is no parameter '%1'"_s.arg(key));
-            array.append(parameterJson(*spec, *profile, *raw));
+            QJsonObject json = parameterJson(*spec, *profile, *raw);
+            addFigure(json, *configuration, *spec, *raw);
+            array.append(json);
+            if (const auto figure = configuration->textFigure(*spec, *raw))
+                notes.append(u"%1 is %2 in the configuration text"_s.arg(key, plainNumber(*figure)));
             outcome.text += arguments().size() == 1 ? spec->format(*raw) + u'\n'
                                                     : key + u'=' + spec->format(*raw) + u'\n';
         }
         outcome.json = array;
+        outcome.note = notes.join(u'\n');
         return outcome;
     }
 

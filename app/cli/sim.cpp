@@ -64,12 +64,13 @@ QString helpLines(const QString &option, const QStringList &lines)
         + u'\n';
 }
 
-/// The option by which the board is to be offered; null unless there is exactly one.
+/// The option by which the board is to be offered; null unless there is exactly one. TCP may come beside UDP.
 const HostKind *chosenHost(const QCommandLineParser &parser)
 {
     const HostKind *chosen = nullptr;
     for (const HostKind &kind : kHostKinds) {
-        if (!parser.isSet(QLatin1String(kind.option)))
+        const bool isBeside = kind.link == LinkAddress::Kind::Tcp && parser.isSet(u"udp"_s);
+        if (!parser.isSet(QLatin1String(kind.option)) || isBeside)
             continue;
         if (chosen)
             return nullptr;
@@ -134,7 +135,7 @@ QString Sim::optionsText() const
 
 QString Sim::helpText() const
 {
-    return u"gimbalsim --family F (--pty PATH | --tcp PORT | --udp PORT) [options]\n\n"
+    return u"gimbalsim --family F (--pty PATH | --tcp PORT | --udp PORT [--tcp PORT]) [options]\n\n"
            u"A simulated gimbal for other programs. Prints \"ready ADDRESS\" and runs until it is told to "
            u"end.\n"
            u"Lines NAME=VALUE on standard input change the world while it runs: pose=1, shake=3, unplug=0.\n"
@@ -143,8 +144,11 @@ QString Sim::helpText() const
         + helpLines(u"family F"_s, {keys().join(u" or "_s)})
         + helpLines(u"pty PATH"_s, {u"a pseudo-terminal, reachable at PATH (a symbolic link)"_s})
         + helpLines(u"tcp PORT"_s, {u"a TCP server on 127.0.0.1, 0 = any free port"_s})
-        + helpLines(u"udp PORT"_s, {u"the same for boards that work in datagrams"_s}) + optionsText()
-        + helpLines(u"fault NAME=V"_s, QStringList{u"repeatable:"_s} + Faults::help());
+        + helpLines(u"udp PORT"_s, {u"the same for boards that work in datagrams"_s})
+        + helpLines(u"video PORT"_s,
+                    {u"what its camera sees as video on that UDP port of 127.0.0.1, 0 = any free one;"_s,
+                     u"to whoever writes to it"_s})
+        + optionsText() + helpLines(u"fault NAME=V"_s, QStringList{u"repeatable:"_s} + Faults::help());
 }
 
 Result<std::unique_ptr<SimulatedPort>> Sim::makePort(const SimulatedFamily &family,
@@ -170,7 +174,7 @@ std::optional<int> Sim::start(const QStringList &arguments)
     QCommandLineParser parser;
     const QCommandLineOption help(QStringList{u"h"_s, u"help"_s});
     parser.addOption(help);
-    QStringList names{u"family"_s, u"fault"_s};
+    QStringList names{u"family"_s, u"fault"_s, u"video"_s};
     for (const HostKind &kind : kHostKinds)
         names.append(QLatin1String(kind.option));
     for (const SimulatedFamily &family : std::as_const(m_families)) {
@@ -212,11 +216,42 @@ std::optional<int> Sim::start(const QStringList &arguments)
     if (!host)
         return wrong(u"--%1 %2"_s.arg(option, host.error().detail));
     m_host = std::move(*host);
+    if (auto *udp = dynamic_cast<UdpHost *>(m_host.get()); udp && parser.isSet(u"tcp"_s)) {
+        const auto number = wholeNumber(u"tcp"_s, parser.value(u"tcp"_s), 0, 65535);
+        if (!number || !family->links.contains(LinkAddress::Kind::Tcp))
+            return wrong(number ? u"a %1 cannot be reached by --tcp"_s.arg(family->key)
+                                : number.error().detail);
+        udp->offerTcp(quint16(*number));
+    }
+    if (parser.isSet(u"video"_s)) {
+        if (const auto offered = offerVideo(parser.value(u"video"_s)); !offered)
+            return wrong(offered.error().detail,
+                         offered.error().code == ErrorCode::InvalidArgument ? kWrongArguments : kRefused);
+    }
     if (const auto started = m_host->start(); !started)
         return wrong(started.error().detail, kRefused);
     listenToCommands();
     QTextStream(stdout) << "ready " << m_host->address() << "\n";
+    if (const auto *udp = dynamic_cast<UdpHost *>(m_host.get()); udp && udp->tcpPort() != 0)
+        QTextStream(stdout) << "tcp 127.0.0.1:" << udp->tcpPort() << "\n";
+    if (m_camera)
+        QTextStream(stdout) << "video 127.0.0.1:" << m_camera->port() << "\n";
+    if (m_camera && m_camera->isWithoutH264())
+        QTextStream(stderr) << "gimbalsim: libav has no encoder for H.264 (libx264): JPEGs are sent\n";
     return {};
+}
+
+Result<void> Sim::offerVideo(const QString &port)
+{
+    const auto number = wholeNumber(u"video"_s, port, 0, 65535);
+    if (!number)
+        return tl::unexpected(number.error());
+    if (!m_host->port().board().cameraView())
+        return failure(ErrorCode::InvalidArgument, u"--video: this board has no camera"_s);
+    const auto feed = std::make_shared<CameraFeed>();
+    m_camera = std::make_unique<CameraServer>(feed);
+    m_host->setCameraFeed(feed);
+    return m_camera->start(quint16(*number));
 }
 
 void Sim::listenToCommands()

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/simulator/link/host.h"
+#include "protocol/simulator/video/cameraserver.h"
 #include "protocol/simulator/world/simulatedfamily.h"
 
 #include <QSocketNotifier>
@@ -28,12 +29,14 @@ private:
     [[nodiscard]] QStringList keys() const;
     Result<std::unique_ptr<SimulatedPort>> makePort(const SimulatedFamily &family,
                                                     const QCommandLineParser &parser) const;
+    Result<void> offerVideo(const QString &port);
     void listenToCommands();
     void onTyped();
     void onCommand(const QString &line);
 
     QList<SimulatedFamily> m_families;
     std::unique_ptr<SimulatorHost> m_host;
+    std::unique_ptr<CameraServer> m_camera;
     std::unique_ptr<QSocketNotifier> m_input;
     QByteArray m_typed;
 };

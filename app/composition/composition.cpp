@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/composition/composition.h"
 
+#include "protocol/blackbox/device.h"
 #include "protocol/record/replaytransport.h"
 #include "protocol/simulator/link/simulatedgimbals.h"
 #include "protocol/transport/systemtransport.h"
@@ -34,6 +35,11 @@ QList<Family> allFamilies()
     return families;
 }
 
+QList<Family> recordedFamilies()
+{
+    return {blackbox::family()};
+}
+
 QList<SimulatedFamily> allSimulatedFamilies()
 {
     QList<SimulatedFamily> families;
@@ -64,6 +70,7 @@ Links allLinks()
     links.changeWorld = [simulated](const LinkAddress &address, const QString &assignment) {
         return simulated.change(address, assignment);
     };
+    links.offerVideo = [simulated](const LinkAddress &address) { return simulated.offerVideo(address); };
     return links;
 }
 

@@ -8,6 +8,8 @@
 
 /// The one place that knows which families exist and which kinds of link there are.
 [[nodiscard]] QList<Family> allFamilies();
+/// What is only met in files.
+[[nodiscard]] QList<Family> recordedFamilies();
 
 [[nodiscard]] Links allLinks();
 

@@ -13,4 +13,7 @@ struct Links
     /// A fault as NAME=VALUE for a `sim:` address that was connected to. Errors: InvalidArgument,
     /// NotConnected.
     std::function<Result<void>(const LinkAddress &, const QString &)> changeWorld;
+    /// The port on the loopback interface to which a viewer of a simulated board's camera writes. Errors:
+    /// NotConnected, Unsupported.
+    std::function<Result<quint16>(const LinkAddress &)> offerVideo;
 };

@@ -2,6 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/families/familypages.h"
 
+#if GIMBAL_WITH_BCFLIGHT
+#include "app/families/bcflight/benchpage.h"
+#include "app/families/bcflight/camerapage.h"
+#include "app/families/bcflight/recordingspage.h"
+#include "app/families/bcflight/systempage.h"
+#endif
 #if GIMBAL_WITH_SIMPLEBGC
 #include "app/families/simplebgc/autotunepage.h"
 #include "app/families/simplebgc/calibrationpage.h"
@@ -27,6 +33,14 @@ QList<PageEntry> familyPages()
     pages += {
         {"calibration", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<CalibrationPage>, nullptr, "simplebgc", "profiles"},
         {"autotune", QT_TRANSLATE_NOOP("Pages", "Auto-tune"), QT_TRANSLATE_NOOP("Pages", "Tune"), makePage<AutoTunePage>, nullptr, "simplebgc", "response"},
+    };
+#endif
+#if GIMBAL_WITH_BCFLIGHT
+    pages += {
+        {"bench", QT_TRANSLATE_NOOP("Pages", "Test bench"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<BenchPage>, nullptr, "bcflight", "actions"},
+        {"system", QT_TRANSLATE_NOOP("Pages", "System"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<SystemPage>, nullptr, "bcflight", "backups"},
+        {"recordings", QT_TRANSLATE_NOOP("Pages", "Recordings"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<RecordingsPage>, nullptr, "bcflight", "system"},
+        {"camera", QT_TRANSLATE_NOOP("Pages", "Camera"), QT_TRANSLATE_NOOP("Pages", "Watch"), makePage<CameraPage>, nullptr, "bcflight", "monitor"},
     };
 #endif
     return pages;

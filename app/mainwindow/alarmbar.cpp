@@ -152,7 +152,7 @@ void AlarmBar::refresh()
     ErrorText text = m_alarms.text(first);
     // Motion and what the program had to do is red; what gives time is amber.
     const bool isSevere = first.hasActed() || first.alarm.kind <= AlarmKind::Oscillation
-        || first.alarm.kind == AlarmKind::Sensor || first.alarm.kind == AlarmKind::Stale;
+        || first.alarm.kind == AlarmKind::Sensor || first.alarm.kind >= AlarmKind::Stale;
     m_icon->setText(isSevere ? u"✖"_s : u"⚠"_s);
     m_icon->setAccessibleName(isSevere ? tr("Severe") : tr("Warning"));
     const int times = m_alarms.timesOf(first.number);

@@ -4,6 +4,7 @@
 
 #include "app/mainwindow/clickshield.h"
 #include "widgets/theme/theme.h"
+#include "widgets/views/armedstate.h"
 
 #include <QApplication>
 #include <QCursor>
@@ -104,7 +105,8 @@ void BannerArea::appear(QWidget *widget)
     place();
     if (!isFirst)
         return;
-    const bool lower = isInUse(room(false)) && !isInUse(room(true));
+    const bool hides = hidesState(room(false));
+    const bool lower = hides != hidesState(room(true)) ? hides : isInUse(room(false)) && !isInUse(room(true));
     if (lower != m_lower) {
         m_lower = lower;
         widget->setGeometry({});
@@ -169,6 +171,15 @@ bool BannerArea::isInUse(const QRect &room) const
         || (isHere && room.intersects(QRect(focus->mapTo(this, QPoint()), focus->size())));
 }
 
+// Whether motors may turn must be seen at any moment.
+bool BannerArea::hidesState(const QRect &room) const
+{
+    const auto states = m_pages.currentWidget()->findChildren<ArmedState *>();
+    return std::any_of(states.begin(), states.end(), [&](const ArmedState *state) {
+        return state->isVisible() && room.intersects(QRect(state->mapTo(this, QPoint()), state->size()));
+    });
+}
+
 bool BannerArea::holds(const QWidget *widget) const
 {
     return std::any_of(m_banners.begin(), m_banners.end(), [widget](const Banner &banner) {
@@ -188,7 +199,8 @@ void BannerArea::followFocus(QWidget *before, QWidget *now)
     }
     if (m_shown.empty() || holds(now) || isPointerIn(room(m_lower)))
         return;
-    if (isInUse(room(m_lower)) && !isInUse(room(!m_lower))) {
+    const QRect other = room(!m_lower);
+    if (isInUse(room(m_lower)) && !isInUse(other) && !hidesState(other)) {
         m_lower = !m_lower;
         place();
     }

@@ -11,9 +11,9 @@
 class QStackedWidget;
 
 /// The room of the page, with messages and questions floating over its upper edge: nothing of the page moves
-/// when one comes or goes. They come at the lower edge instead where the pointer or the keyboard is at the
-/// upper one, and go out of the keyboard's way later; one that closes moves none of the others. Ctrl+F6 goes
-/// to the newest and back, Esc closes it.
+/// when one comes or goes. They come at the lower edge instead where the pointer, the keyboard or what
+/// tells whether a drone is armed is at the upper one, and go out of the keyboard's way later; one that
+/// closes moves none of the others. Ctrl+F6 goes to the newest and back, Esc closes it.
 class BannerArea final : public QWidget
 {
     Q_OBJECT
@@ -51,6 +51,7 @@ private:
     /// What the banners that are shown need at that edge.
     [[nodiscard]] QRect room(bool lower) const;
     [[nodiscard]] bool isInUse(const QRect &room) const;
+    [[nodiscard]] bool hidesState(const QRect &room) const;
     [[nodiscard]] bool isPointerIn(const QRect &room) const;
     [[nodiscard]] int covered() const;
     [[nodiscard]] int headEnd() const;

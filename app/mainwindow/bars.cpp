@@ -28,6 +28,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+constexpr double kPoorShare = 80;  // %, of what one end receives
+constexpr auto kPoorRoundTrip = 500ms;  // who steers sees what was half a second ago
 constexpr qint64 kBadTimeMs = 10000;  // how long a loss colours the link's dot
 
 }  // namespace
@@ -356,7 +358,71 @@ void StatusStrip::follow(const MotorsKeys &keys)
     connect(&keys, &MotorsKeys::holdEnded, m_hint, &QLabel::clear);
 }
 
+// Of both ends, where the board answers heartbeats; the time of the newest answer otherwise.
+QString StatusStrip::qualityText(const LinkStatistics &link) const
+{
+    if (link.isDegraded())
+        return u" · "_s + tr("nothing for %1 s").arg(numberText(seconds(link.silence), 1));
+    QString text;
+    const auto time = link.quality && link.quality->roundTrip ? link.quality->roundTrip
+                                                              : m_workspace.freshness().answerTime();
+    if (time)
+        text += u" · "_s + tr("%1 ms").arg(numberText(seconds(*time) * 1000, 1));
+    if (!link.quality)
+        return text;
+    if (link.quality->answered)
+        text += u" · "_s + tr("↓ %1 %").arg(numberText(*link.quality->answered * 100, 0));
+    if (const double there = m_workspace.latest(m_workspace.roles().receiveQuality); !std::isnan(there))
+        text += u" ↑ %1 %"_s.arg(numberText(std::clamp(there, 0.0, 100.0), 0));
+    if (link.quality->isShared)
+        text += u" · "_s + tr("another ground station");
+    return text;
+}
+
+// What makes the present link a poor one, as sentences; empty: nothing does.
+QString StatusStrip::weaknessText(const LinkStatistics &link) const
+{
+    QStringList texts;
+    if (!link.quality)
+        return {};
+    const double here = link.quality->answered.value_or(1.0) * 100;
+    const double there = m_workspace.latest(m_workspace.roles().receiveQuality);
+    if (here < kPoorShare)
+        texts.append(tr("Weak link: only %1 % of the questions are answered. Commands may be lost as well.")
+                         .arg(numberText(here, 0)));
+    if (there < kPoorShare)
+        texts.append(tr("Weak link: the board receives only %1 % of what is sent. Commands may be lost.")
+                         .arg(numberText(std::max(there, 0.0), 0)));
+    if (link.quality->roundTrip && *link.quality->roundTrip > kPoorRoundTrip)
+        texts.append(tr("Slow link: an answer takes %1 ms. What is shown is old, and a stop comes late.")
+                         .arg(numberText(seconds(*link.quality->roundTrip) * 1000, 0)));
+    return texts.join(u'\n');
+}
+
+void StatusStrip::resizeEvent(QResizeEvent *event)
+{
+    QFrame::resizeEvent(event);
+    giveWay();
+}
+
 void StatusStrip::refresh()
+{
+    tell();
+    giveWay();
+}
+
+// What is told last goes first, and whole: a number that is cut is another one.
+void StatusStrip::giveWay()
+{
+    QStringList parts = m_linkText.split(u" · "_s);
+    m_link->setText(m_linkText);
+    while (parts.size() > 1 && layout()->minimumSize().width() > width()) {
+        parts.removeLast();
+        m_link->setText(parts.join(u" · "_s));
+    }
+}
+
+void StatusStrip::tell()
 {
     const DeviceClient &client = m_workspace.client();
     const Theme &theme = m_workspace.theme();
@@ -365,11 +431,10 @@ void StatusStrip::refresh()
     };
     if (!client.isConnected()) {
         const QString offline = m_workspace.offlineFile();
-        m_link->setText(
-            dot(ColorRole::Muted)
+        m_linkText = dot(ColorRole::Muted)
             + (offline.isEmpty()
                    ? tr("no link")
-                   : tr("offline: editing %1").arg(QFileInfo(offline).fileName().toHtmlEscaped())));
+                   : tr("offline: editing %1").arg(QFileInfo(offline).fileName().toHtmlEscaped()));
         for (QLabel *label : {m_battery, m_temperature, m_faults})
             label->clear();
         return;
@@ -378,17 +443,30 @@ void StatusStrip::refresh()
     const auto store = client.telemetry();
     const quint64 damaged = link.framing.headerErrors + link.framing.bodyErrors;
     const quint64 lost = store ? store->lost() : 0;
-    QString text = tr("%1/s · %2 lost").arg(numberText(link.framesPerSecond, 0)).arg(lost);
     const TelemetryPlan &plan = client.telemetryPlan();
+    // What a board streams by itself has no numbers: nobody can count what does not arrive.
+    const bool counts = lost > 0 || !plan.isStreamedUnasked;
+    const QString rate = numberText(link.framesPerSecond, 0);
+    QString text = counts ? tr("%1/s · %2 lost").arg(rate).arg(lost) : tr("%1/s").arg(rate);
     const QString thinned = thinningText(plan.rate, plan.fullRate, plan.budget);
     if (!thinned.isEmpty())
         text += u" · "_s + tr("thinned out: slow line");
-    m_link->setToolTip(tr("Frames received per second, samples lost, answer time")
-                       + (thinned.isEmpty() ? QString() : u'\n' + thinned));
+    const QString weakness = weaknessText(link);
+    QStringList hints{!link.quality ? tr("Messages received per second, samples lost, answer time")
+                          : counts ? tr("Messages received per second, samples lost, round trip; ↓ share of "
+                                        "our questions that are answered, ↑ how well the board receives")
+                                   : tr("Messages received per second, round trip; ↓ share of our questions "
+                                        "that are answered, ↑ how well the board receives")};
+    for (const QString &hint : {thinned, weakness}) {
+        if (!hint.isEmpty())
+            hints.append(hint);
+    }
+    m_link->setToolTip(hints.join(u'\n'));
     if (damaged > 0)
         text += u" · "_s + tr("%1 damaged").arg(damaged);
-    if (const auto time = m_workspace.freshness().answerTime())
-        text += u" · "_s + tr("%1 ms").arg(numberText(seconds(*time) * 1000, 1));
+    text += qualityText(link);
+    if (!weakness.isEmpty())
+        text.prepend(tr("weak link") + u" · "_s);
     // The colour shows the present state; the numbers cover the whole connection.
     if (damaged + lost != m_lastBad) {
         m_lastBad = damaged + lost;
@@ -398,7 +476,8 @@ void StatusStrip::refresh()
     const bool stale = m_workspace.freshness().staleSince().has_value();
     const bool frozen = m_workspace.freshness().frozenSince().has_value();
     const bool played = m_workspace.freshness().hasPlayed();
-    m_link->setText(dot(bad || stale || frozen || played ? ColorRole::Warning : ColorRole::Ok) + text);
+    const bool poor = !weakness.isEmpty() || link.isDegraded() || (link.quality && link.quality->isShared);
+    m_linkText = dot(bad || stale || frozen || played || poor ? ColorRole::Warning : ColorRole::Ok) + text;
     if (stale || frozen || played) {
         // What they said is old; the views say since when.
         m_battery->setText(u"<span style='color:%1'>%2</span>"_s.arg(theme.color(ColorRole::Warning).name(),

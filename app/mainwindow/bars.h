@@ -98,12 +98,20 @@ public:
     /// Says what the keys do while they are held.
     void follow(const MotorsKeys &keys);
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
     void refresh();
+    void tell();
+    void giveWay();
+    [[nodiscard]] QString qualityText(const LinkStatistics &link) const;
+    [[nodiscard]] QString weaknessText(const LinkStatistics &link) const;
 
     Workspace &m_workspace;
     quint64 m_lastBad = 0;  // lost samples and damaged frames when they last changed
     QElapsedTimer m_badAt;
+    QString m_linkText;  // all of it
     QLabel *m_link;
     QLabel *m_battery;
     QLabel *m_temperature;

@@ -26,6 +26,10 @@ EditGuide::EditGuide(Workspace &workspace, ShowPage showPage, QObject *parent)
     , m_showPage(std::move(showPage))
 {
     connect(&workspace.edits(), &EditStack::acted, this, &EditGuide::show);
+    connect(&workspace, &Workspace::textWanted, this, [this](const TextPlace &place) {
+        if (auto *documents = qobject_cast<DocumentsPage *>(m_showPage(u"documents"_s)))
+            documents->showText(place.block, place.line);
+    });
     connect(&workspace.edits().refused(), &RefusedTexts::changed, this, &EditGuide::withdrawWhatIsMended);
 }
 

@@ -3,6 +3,8 @@
 #include "app/mainwindow/leaving.h"
 
 #include "app/workspace/question.h"
+#include "protocol/device/flight.h"
+#include "protocol/telemetry/telemetrystore.h"
 
 #include <QDialog>
 
@@ -58,6 +60,7 @@ bool Leaving::mayGo(Way way, const std::function<void()> &go)
     m_valuesAreSettled = false;
     m_motorsAreSettled = false;
     m_steeringIsSettled = false;
+    m_armedIsSettled = false;
     return isClear();
 }
 
@@ -70,6 +73,8 @@ bool Leaving::isClear()
 {
     const DeviceClient &client = m_workspace.client();
     const bool isLinked = client.isConnected() && !client.address().isReplay();
+    if (refusesToLeaveArmed())
+        return false;
     if (isLinked && m_workspace.isWriting()) {
         waitFor(Wait::Write,
                 quits() ? tr("A write is running: the program quits when it has ended.")
@@ -83,6 +88,10 @@ bool Leaving::isClear()
     if (isLinked && !m_steeringIsSettled && client.isSteering()) {
         m_wait = Wait::Steering;
         m_workspace.releaseControl();
+        return false;
+    }
+    if (isLinked && m_workspace.mayStillFly()) {
+        tellStillFlying();
         return false;
     }
     if (quits() && !m_editsAreSettled && m_workspace.unsavedCount() > 0) {
@@ -106,6 +115,59 @@ bool Leaving::isClear()
         return false;
     }
     return true;
+}
+
+// What flies goes on as it was told last, whatever becomes of this program.
+bool Leaving::refusesToLeaveArmed()
+{
+    const DeviceClient &client = m_workspace.client();
+    const bool flies = client.device() && client.device()->flight() && !client.address().isReplay();
+    if (!flies || m_armedIsSettled)
+        return false;
+    if (client.isConnected() && m_workspace.isFlown()) {
+        m_workspace.notifications().report(
+            {tr("The drone is armed from here."),
+             tr("It would go on with its last throttle, and nobody could stop it from here."),
+             tr("Land it and disarm it first, on the page “Flight”."),
+             {}},
+            Concern::Steering);
+        return true;
+    }
+    const auto store = client.telemetry();
+    const int armed = client.roles().armed;
+    if (client.state() != DeviceClient::State::Reconnecting || !store || armed < 0
+        || store->latest(armed) != 1)
+        return false;
+    askAboutArmed();
+    return true;
+}
+
+void Leaving::tellStillFlying()
+{
+    m_workspace.notifications().report(
+        {tr("The drone does not say that it is disarmed and its motors stand."),
+         tr("It was armed from here. Without this program nobody would go on stopping it."),
+         tr("Stop the motors (F12). If it does not obey, take its battery away: then the link is lost, and "
+            "the "
+            "program can be closed."),
+         {}},
+        Concern::Steering);
+}
+
+void Leaving::askAboutArmed()
+{
+    const auto goOn = [this] {
+        m_armedIsSettled = true;
+        later();
+    };
+    askInPanel(
+        {tr("The drone was armed when it was heard last"),
+         tr("The link is lost. The drone does not notice that: it stays armed and goes on with its last "
+            "throttle until somebody disarms it or its battery is empty. As long as this program runs "
+            "it looks for the drone, and disarms it as soon as it is heard."),
+         {{quits() ? tr("Quit all the same") : tr("Disconnect all the same"), goOn, true}},
+         tr("Stay")},
+        &m_window);
 }
 
 void Leaving::next()
@@ -233,9 +295,12 @@ void Leaving::askAboutRunning()
 
 void Leaving::askAboutSteering()
 {
+    const Notifications &told = m_workspace.notifications();
     askInPanel(
-        {tr("The camera may go on moving"),
-         tr("The board did not confirm that it has stopped turning the camera."),
+        {told.flies() ? tr("The drone may be armed") : tr("The camera may go on moving"),
+         told.flies() ? tr("It did not confirm that it is disarmed, and may go on with its last throttle.")
+                 + u' ' + told.keepAwayText()
+                      : tr("The board did not confirm that it has stopped turning the camera."),
          {{quits() ? tr("Quit all the same") : tr("Disconnect all the same"), [this] { later(); }, true}},
          tr("Stay")},
         &m_window);

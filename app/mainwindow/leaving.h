@@ -37,6 +37,10 @@ private:
     void waitFor(Wait what, const QString &told);
     void ended(Wait what);
     void onceRead();
+    /// True, and told or asked, while something that flies is armed.
+    bool refusesToLeaveArmed();
+    void tellStillFlying();
+    void askAboutArmed();
     void askAboutWork();
     void askAboutEdits();
     void askAboutValues();
@@ -55,5 +59,6 @@ private:
     bool m_valuesAreSettled = false;
     bool m_motorsAreSettled = false;
     bool m_steeringIsSettled = false;
+    bool m_armedIsSettled = false;
     QPointer<QDialog> m_motorsQuestion;  // what to do without proof
 };

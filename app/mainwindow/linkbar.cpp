@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/linkbar.h"
 
+#include "app/workspace/flightstate.h"
 #include "app/workspace/question.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/views/elidedlabel.h"
@@ -18,6 +19,7 @@
 #include <QThreadPool>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -53,7 +55,7 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
     m_address->setMinimumWidth(kAddressWidth);
     m_address->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     m_address->setAccessibleName(tr("Port or address of the board"));
-    m_address->setToolTip(tr("Serial port, tcp://host:port, or the simulated gimbal"));
+    m_address->setToolTip(tr("Serial port, tcp://host:port, udp://host:port, or a simulated board"));
     m_address->lineEdit()->setPlaceholderText(tr("Port or tcp://host:port"));
     m_connect->setObjectName(u"primary"_s);
     for (QLabel *badge : {m_badge, m_recording}) {
@@ -114,6 +116,7 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
     connect(&workspace.theme(), &Theme::changed, this, &LinkBar::updateState);
     connect(&configuration, &ConfigurationModel::boardReset, this, &LinkBar::updateBadges);
     connect(&workspace.recorder(), &LinkRecorder::recordingChanged, this, &LinkBar::updateBadges);
+    connect(&workspace, &Workspace::videoRecordingChanged, this, &LinkBar::updateBadges);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
         const LinkAddress &address = m_workspace.client().address();
         const bool isKept = !address.isReplay() && address.kind() != LinkAddress::Kind::Simulator;
@@ -127,7 +130,7 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
     });
     m_refresh.start();
     keepWidth(m_connect, {tr("Connect"), tr("Cancel"), tr("Give up"), tr("Disconnect")});
-    keepWidth(m_motors, {tr("■ STOP MOTORS"), tr("▶ Start motors")});
+    keepWidth(m_motors, {tr("■ STOP MOTORS"), tr("▶ Start motors"), tr("■ STOP (deaf: %1 s)").arg(88)});
     showPorts({});
     updateState();
     updateProfiles();
@@ -165,6 +168,7 @@ void LinkBar::giveWay()
     m_profile->setVisible(m_hasProfiles);
     m_address->setMinimumWidth(kAddressWidth);
     m_address->show();
+    m_connect->show();
     const auto isTight = [this, room] { return m_linkLayout->minimumSize().width() > room; };
     for (QWidget *part : std::initializer_list<QWidget *>{m_state, m_profileLabel}) {
         if (isTight())
@@ -177,6 +181,9 @@ void LinkBar::giveWay()
     // What is looked at must be read in full; where it is can be asked for again.
     if (isTight() && m_workspace.client().state() != DeviceClient::State::Disconnected)
         m_address->hide();
+    // Only a picture on the whole of a small screen leaves less room.
+    if (isTight() && m_workspace.client().isConnected())
+        m_connect->hide();
 }
 
 void LinkBar::setAddress(const QString &address)
@@ -221,8 +228,14 @@ void LinkBar::showPorts(const QList<PortInfo> &ports)
         if (!recent.contains(address))
             m_address->addItem(label, address);
     }
-    for (const Family &family : m_workspace.client().families())
-        m_address->addItem(tr("Simulated %1").arg(family.name), u"sim:"_s + family.key);
+    for (const Family &family : m_workspace.client().families()) {
+        if (!family.usualAddress.isEmpty() && !recent.contains(family.usualAddress))
+            m_address->addItem(tr("%1 at %2").arg(family.name, family.usualAddress), family.usualAddress);
+    }
+    for (const Family &family : m_workspace.client().families()) {
+        if (!family.links.isEmpty())
+            m_address->addItem(tr("Simulated %1").arg(family.name), u"sim:"_s + family.key);
+    }
     // The last one used, else a port that is there; never a simulated board that nobody asked for.
     const QString first = !recent.isEmpty() ? recent.first()
         : present.isEmpty()                 ? QString()
@@ -343,7 +356,9 @@ void LinkBar::updateBadges()
         meaning = tr("A recording is played: nothing here happens now, and nothing can be changed.");
     } else if (linked && client.address().kind() == LinkAddress::Kind::Simulator) {
         text = tr("SIMULATED");
-        meaning = tr("A simulated gimbal: no real motor moves.");
+        meaning = client.isConnected() && client.device()->flight()
+            ? tr("A simulated drone: no real motor turns.")
+            : tr("A simulated gimbal: no real motor moves.");
     } else if (client.isConnected() && !client.identity().writable) {
         text = tr("READ ONLY");
         meaning = tr("Nothing can be written to this board.");
@@ -360,8 +375,13 @@ void LinkBar::updateBadges()
     repolish(m_badge);
     m_badge->setVisible(!text.isEmpty());
     const LinkRecorder &recorder = m_workspace.recorder();
-    m_recording->setVisible(recorder.isRecording());
-    m_recording->setToolTip(tr("The link is being recorded to %1").arg(recorder.path()));
+    QStringList recorded;
+    if (recorder.isRecording())
+        recorded.append(tr("The link is being recorded to %1").arg(recorder.path()));
+    if (const QString &video = m_workspace.videoRecording(); !video.isEmpty())
+        recorded.append(tr("The video is being recorded to %1").arg(video));
+    m_recording->setVisible(!recorded.isEmpty());
+    m_recording->setToolTip(recorded.join(u'\n'));
     m_recording->setAccessibleName(m_recording->toolTip());
     setProperty("marked", !text.isEmpty() && kind.isEmpty());
     repolish(this);
@@ -395,18 +415,22 @@ void LinkBar::updateMotors()
     const Device *device = m_workspace.client().device();
     const bool canSwitchOn = !linked || (device && device->motorSwitch());
     // And a board that starts: its motors run soon.
-    const bool mayRun = !running || *running || m_workspace.isStarting();
+    const bool mayRun = !running || *running || m_workspace.isStarting() || m_workspace.isDeaf();
     m_offNext = mayRun || !canSwitchOn;
     const bool tooSoon = !m_offNext && m_pressedOff.isValid() && m_pressedOff.elapsed() < kNoOnAfterOffMs;
     const bool isItsStep = !m_offNext && m_workspace.isGuided();
     // Beneath a panel it only stops.
     m_motors->setEnabled(linked && !tooSoon && !isItsStep && (m_offNext || m_linkPart->isEnabled()));
-    const QString text = m_offNext ? tr("■ STOP MOTORS") : tr("▶ Start motors");
+    const double deaf = seconds(m_workspace.client().deafUntil() - Clock::now());
+    const QString text = !m_offNext ? tr("▶ Start motors")
+        : deaf > 0                  ? tr("■ STOP (deaf: %1 s)").arg(int(std::ceil(deaf)))
+                                    : tr("■ STOP MOTORS");
     if (m_motors->text() != text) {
         m_motors->setText(text);
         m_motors->setAccessibleName(m_offNext ? tr("Stop motors") : tr("Start motors"));
     }
-    const bool red = linked && mayRun;
+    const bool isArmed = freshlyTold(m_workspace, m_workspace.roles().armed).value_or(false);
+    const bool red = linked && (mayRun || isArmed);
     if (m_motors->property("running").toBool() != red) {
         m_motors->setProperty("running", red);
         repolish(m_motors);

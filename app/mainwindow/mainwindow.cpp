@@ -17,7 +17,6 @@
 #include "app/mainwindow/motorskeys.h"
 #include "app/mainwindow/navigation.h"
 #include "app/mainwindow/pagetable.h"
-#include "app/mainwindow/palettesource.h"
 #include "app/mainwindow/startpage.h"
 #include "app/pages/program/helppage.h"
 #include "app/workspace/filedialogs.h"
@@ -243,6 +242,7 @@ Page *MainWindow::page(const QString &key)
             view->doItemsLayout();
         }
         connect(made, &Page::changesChanged, this, &MainWindow::updateMarks);
+        connect(made, &Page::actionWanted, this, &MainWindow::showAction);
         return made;
     }
     return nullptr;
@@ -280,14 +280,14 @@ void MainWindow::updateOffered()
         m_workspace->notifications().notify(
             tr("This board has no page “%1”. It has: %2.")
                 .arg(m_navigation->titleOf(wanted), m_navigation->offeredTitles().join(u", "_s)),
-            Notice::Attention);
+            awaited.isEmpty() ? Notice::Hint : Notice::Attention);
 }
 
 // Pages are shown with the first board or file; until then, one card says how to begin.
 void MainWindow::updateStart()
 {
     const QString key = m_navigation->currentPage();
-    const bool needsBoard = key != u"settings"_s && key != u"help"_s;
+    const bool needsBoard = key != u"gamepad"_s && key != u"settings"_s && key != u"help"_s;
     const bool begin
         = needsBoard && m_workspace->configuration().isEmpty() && !m_workspace->client().isConnected();
     QWidget *wanted = begin ? static_cast<QWidget *>(m_start) : page(key);
@@ -325,28 +325,13 @@ void MainWindow::review()
         return;
     m_review = new ReviewDialog(model.board(), model.edited(), m_workspace->storedWithAWrite(), this);
     m_review->setReplaced(m_workspace->replacedByAWrite());
+    m_review->setFlies(m_workspace->notifications().flies());
     m_review->setAttribute(Qt::WA_DeleteOnClose);
     // What it compares with is old then.
     connect(&model, &ConfigurationModel::boardReset, m_review, &QDialog::reject);
     connect(m_review, &QDialog::accepted, this,
             [this] { m_workspace->write(m_review->chosen(), m_review->others()); });
     openPanel(*m_review);
-}
-
-void MainWindow::showPalette()
-{
-    if (m_palette)
-        return;
-    const PaletteTargets targets{
-        [this](const QString &key) {
-            enterPage(key);
-            return page(key);
-        },
-        [this] { review(); }, [this] { askToStartMotors(*m_workspace, this); },
-        [this] { openPanel(*new MessageHistory(m_workspace->notifications(), this)); }};
-    m_palette = new CommandPalette(paletteEntries(*m_workspace, *m_navigation, targets), this);
-    m_palette->input()->setFocus();
-    openPanel(*m_palette);
 }
 
 void MainWindow::showHelp()

@@ -60,6 +60,8 @@ public:
     bool showPage(const QString &key);
     /// Shows it and leads the keyboard into it.
     bool enterPage(const QString &key);
+    /// Shows the page of actions with this one.
+    void showAction(const QString &key);
     void review();
     void showPalette();
     /// The help text of the page that is shown.

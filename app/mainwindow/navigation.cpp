@@ -127,14 +127,21 @@ void Navigation::setOffered(const QString &key, bool offered)
     }
 }
 
+// A heading is there for the entries beneath it.
 void Navigation::renumber()
 {
     int number = 0;
+    QListWidgetItem *heading = nullptr;
     for (int row = 0; row < count(); ++row) {
         const QString title = item(row)->data(kTitleRole).toString();
-        if (!title.isEmpty() && !item(row)->isHidden())
+        if (title.isEmpty()) {
+            heading = item(row);
+            heading->setHidden(true);
+        } else if (!item(row)->isHidden()) {
+            heading->setHidden(false);
             item(row)->setToolTip(++number <= kLastNumber ? tr("%1 (Ctrl+%2)").arg(title).arg(number)
                                                           : title);
+        }
     }
 }
 

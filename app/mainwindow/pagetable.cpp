@@ -7,6 +7,8 @@
 #include "app/pages/board/backupspage.h"
 #include "app/pages/board/consolepage.h"
 #include "app/pages/board/controlpage.h"
+#include "app/pages/board/flightpage.h"
+#include "app/pages/program/gamepadpage.h"
 #include "app/pages/program/helppage.h"
 #include "app/pages/program/settingspage.h"
 #include "app/pages/setup/documentspage.h"
@@ -17,9 +19,11 @@
 #include "app/pages/tune/spectrumpage.h"
 #include "app/pages/tune/tuningpage.h"
 #include "app/pages/tune/variablespage.h"
+#include "app/pages/watch/blackboxpage.h"
 #include "app/pages/watch/dashboardpage.h"
 #include "app/pages/watch/debugpage.h"
 #include "app/pages/watch/monitorpage.h"
+#include "protocol/device/flight.h"
 #include "protocol/device/steering.h"
 
 #include <QCoreApplication>
@@ -27,6 +31,17 @@
 namespace {
 
 // What a page needs of a board.
+// A black box is no board: it has been recorded, and that is all.
+bool isBoard(const Workspace &workspace)
+{
+    return !workspace.expectedFamily()->links.isEmpty();
+}
+
+bool isBlackBox(const Workspace &workspace)
+{
+    return !isBoard(workspace);
+}
+
 bool hasProfiles(const Workspace &workspace)
 {
     return workspace.tables()->profiles();
@@ -44,7 +59,12 @@ bool hasLiveValues(const Workspace &workspace)
 
 bool canBeSteered(const Workspace &workspace)
 {
-    return workspace.tables()->steering();
+    return workspace.tables()->steering() && !workspace.tables()->flight();
+}
+
+bool flies(const Workspace &workspace)
+{
+    return workspace.tables()->flight();
 }
 
 bool hasMotionSensors(const Workspace &workspace)
@@ -100,8 +120,9 @@ Page *makeHelp(Workspace &workspace)
 constexpr PageEntry kPages[] = {
     {"dashboard", QT_TRANSLATE_NOOP("Pages", "Dashboard"), QT_TRANSLATE_NOOP("Pages", "Watch"), makePage<DashboardPage>},
     {"monitor", QT_TRANSLATE_NOOP("Pages", "Monitor"), QT_TRANSLATE_NOOP("Pages", "Watch"), makePage<MonitorPage>},
+    {"blackbox", QT_TRANSLATE_NOOP("Pages", "Black box"), QT_TRANSLATE_NOOP("Pages", "Watch"), makePage<BlackBoxPage>, isBlackBox},
     {"debug", QT_TRANSLATE_NOOP("Pages", "Debug variables"), QT_TRANSLATE_NOOP("Pages", "Watch"), makePage<DebugPage>, hasInnerVariables},
-    {"parameters", QT_TRANSLATE_NOOP("Pages", "Parameters"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<ParametersPage>},
+    {"parameters", QT_TRANSLATE_NOOP("Pages", "Parameters"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<ParametersPage>, isBoard},
     {"profiles", QT_TRANSLATE_NOOP("Pages", "Profiles"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<ProfilesPage>, hasProfiles},
     {"scripts", QT_TRANSLATE_NOOP("Pages", "Scripts"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<ScriptsPage>, keepsScripts},
     {"documents", QT_TRANSLATE_NOOP("Pages", "Documents"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<DocumentsPage>, keepsDocuments},
@@ -111,9 +132,11 @@ constexpr PageEntry kPages[] = {
     {"variables", QT_TRANSLATE_NOOP("Pages", "Adjustable variables"), QT_TRANSLATE_NOOP("Pages", "Tune"),
      makePage<VariablesPage>, hasLiveValues},
     {"control", QT_TRANSLATE_NOOP("Pages", "Control"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<ControlPage>, canBeSteered},
-    {"actions", QT_TRANSLATE_NOOP("Pages", "Actions"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<ActionsPage>},
-    {"backups", QT_TRANSLATE_NOOP("Pages", "Backups"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<BackupsPage>},
+    {"flight", QT_TRANSLATE_NOOP("Pages", "Flight"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<FlightPage>, flies},
+    {"actions", QT_TRANSLATE_NOOP("Pages", "Actions"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<ActionsPage>, isBoard},
+    {"backups", QT_TRANSLATE_NOOP("Pages", "Backups"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<BackupsPage>, isBoard},
     {"console", QT_TRANSLATE_NOOP("Pages", "Console"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<ConsolePage>, wordsFrames},
+    {"gamepad", QT_TRANSLATE_NOOP("Pages", "Gamepad"), QT_TRANSLATE_NOOP("Pages", "Program"), makePage<GamepadPage>},
     {"settings", QT_TRANSLATE_NOOP("Pages", "Settings"), QT_TRANSLATE_NOOP("Pages", "Program"), makePage<SettingsPage>},
     {"help", QT_TRANSLATE_NOOP("Pages", "Help"), QT_TRANSLATE_NOOP("Pages", "Program"), makeHelp},
 };

@@ -4,7 +4,6 @@
 
 #include "app/mainwindow/navigation.h"
 #include "app/mainwindow/pagetable.h"
-#include "app/pages/board/actionspage.h"
 #include "app/pages/setup/parameterspage.h"
 #include "app/pages/watch/monitorpage.h"
 #include "widgets/models/parametermodel.h"
@@ -77,11 +76,10 @@ QList<PaletteEntry> paletteEntries(Workspace &workspace, const Navigation &navig
             }));
     }
     for (const ActionSpec &action : device->actions()) {
-        entries.append(makeEntry(CommandPalette::tr("Action"), tableText(action.label),
-                                 QLatin1String(action.key), tableText(action.help),
-                                 [showPage, key = QString::fromLatin1(action.key)] {
-                                     static_cast<ActionsPage *>(showPage(u"actions"_s))->showAction(key);
-                                 }));
+        entries.append(makeEntry(
+            CommandPalette::tr("Action"), tableText(action.label), QLatin1String(action.key),
+            tableText(action.help),
+            [showAction = targets.showAction, key = QString::fromLatin1(action.key)] { showAction(key); }));
     }
     return entries;
 }

@@ -12,6 +12,7 @@ class Workspace;
 struct PaletteTargets
 {
     std::function<Page *(const QString &key)> showPage;  ///< shows a page and returns it
+    std::function<void(const QString &key)> showAction;
     std::function<void()> review;
     std::function<void()> startMotors;
     std::function<void()> showMessages;

@@ -1,11 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The keys of the main window.
+// The keys of the main window, and where they and names lead.
+#include "app/mainwindow/commandpalette.h"
 #include "app/mainwindow/editguide.h"
 #include "app/mainwindow/mainwindow.h"
+#include "app/mainwindow/messagehistory.h"
 #include "app/mainwindow/navigation.h"
+#include "app/mainwindow/palettesource.h"
+#include "app/pages/board/actionspage.h"
+#include "app/workspace/question.h"
+#include "widgets/forms/panel.h"
 
 #include <QShortcut>
+
+using namespace Qt::StringLiterals;
 
 namespace {
 
@@ -47,4 +55,27 @@ void MainWindow::addShortcuts()
         if (m_workspace->client().isConnected())
             m_workspace->readBoard();
     });
+}
+
+void MainWindow::showAction(const QString &key)
+{
+    if (enterPage(u"actions"_s))
+        static_cast<ActionsPage *>(page(u"actions"_s))->showAction(key);
+}
+
+void MainWindow::showPalette()
+{
+    if (m_palette)
+        return;
+    const PaletteTargets targets{
+        [this](const QString &key) {
+            enterPage(key);
+            return page(key);
+        },
+        [this](const QString &key) { showAction(key); }, [this] { review(); },
+        [this] { askToStartMotors(*m_workspace, this); },
+        [this] { openPanel(*new MessageHistory(m_workspace->notifications(), this)); }};
+    m_palette = new CommandPalette(paletteEntries(*m_workspace, *m_navigation, targets), this);
+    m_palette->input()->setFocus();
+    openPanel(*m_palette);
 }

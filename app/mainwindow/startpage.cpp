@@ -40,14 +40,15 @@ StartPage::StartPage(QWidget *parent)
 {
     auto *card = new Card({});
     card->setMaximumWidth(600);
-    auto *title = new QLabel(tr("No gimbal yet"));
+    auto *title = new QLabel(tr("No board yet"));
     QFont font = title->font();
     font.setPointSizeF(font.pointSizeF() + 8);
     font.setWeight(QFont::DemiBold);
     title->setFont(font);
     auto *text = new QLabel(
         tr("Plug the controller in with USB or a serial adapter, choose its port at the top left and "
-           "connect. Rate and parity are found by the program. Nothing is sent to a port you did not "
+           "connect. Rate and parity are found by the program. A drone is met in its own wireless network: "
+           "join it, then choose its address in the same list. Nothing is sent to a port you did not "
            "choose, and nothing is written without your review."));
     text->setWordWrap(true);
     auto *connectButton = new QPushButton(tr("&Choose a port"));

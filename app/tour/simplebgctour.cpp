@@ -372,6 +372,7 @@ void Tour::addProgramSteps()
                     {},
                     true});
     m_steps.append({u"console"_s, show(u"console"_s), {}, 600, {}, false});
+    addGamepadStep();
     m_steps.append({u"settings"_s, show(u"settings"_s), {}, 400, {}, false});
     m_steps.append({u"help"_s,
                     [this] {

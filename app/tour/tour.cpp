@@ -13,6 +13,18 @@ namespace {
 constexpr int kPollMs = 50;
 constexpr int kLimitMs = 90000;  // for one step
 
+// A gamepad with its left stick pushed, for the pictures.
+class PicturedGamepad final : public GamepadSource
+{
+public:
+    Result<void> open() override { return {}; }
+    std::vector<GamepadReading> poll() override
+    {
+        return {
+            {1, "picture", u"Wireless controller"_s, {0.35, -0.7, -1, 0.02, 0, -0.4}, std::vector<bool>(12)}};
+    }
+};
+
 }  // namespace
 
 Tour::Tour(MainWindow &window, QString folder, QString suffix, Extent extent, QString family, QObject *parent)
@@ -52,7 +64,7 @@ std::function<void()> Tour::show(const QString &page)
 void Tour::addSteps()
 {
     for (const Family &family : m_window.workspace().client().families()) {
-        if (m_family.isEmpty() || m_family == family.key)
+        if (!family.links.isEmpty() && (m_family.isEmpty() || m_family == family.key))
             addStepsOf(family.key);
     }
 }
@@ -71,6 +83,35 @@ void Tour::addStepsOf(const QString &family)
     if (family == u"bcflight"_s)
         addDroneSteps(family);
 #endif
+}
+
+void Tour::addGamepadStep()
+{
+    m_steps.append({u"gamepad"_s,
+                    [this] {
+                        Gamepad &gamepad = m_window.workspace().gamepad();
+                        gamepad.setMaker([]() -> Result<std::unique_ptr<GamepadSource>> {
+                            return std::make_unique<PicturedGamepad>();
+                        });
+                        m_window.showPage(u"gamepad"_s);
+                    },
+                    [this] {
+                        Gamepad &gamepad = m_window.workspace().gamepad();
+                        if (!gamepad.reading())
+                            return false;
+                        GamepadMapping mapping = gamepad.mapping();
+                        mapping.assign(GamepadStick::Yaw, 0, false);
+                        mapping.assign(GamepadStick::Pitch, 1, true);
+                        mapping.assign(GamepadStick::Roll, 3, false);
+                        mapping.assign(GamepadStick::Speed, 5, false);
+                        mapping[GamepadStick::Pitch].expo = 0.3;
+                        mapping.assign(GamepadButton::Disarm, 1);
+                        gamepad.setMapping(mapping);
+                        return true;
+                    },
+                    400,
+                    {},
+                    false});
 }
 
 // To the family's simulated board, from whatever was connected before.

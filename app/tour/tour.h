@@ -42,6 +42,7 @@ private:
     };
     void addSteps();
     void addStepsOf(const QString &family);
+    void addGamepadStep();
     void addConnecting(const QString &family);
     void addSimpleBgcSteps();
     void addEditSteps();
@@ -53,6 +54,10 @@ private:
     void addReplaySteps();
     void addFamilySteps(const QString &family);
     void addDroneSteps(const QString &family);
+    void addCameraSteps(const QString &family);
+    void addFlightSteps(const QString &family);
+    void addTextSteps(const QString &family);
+    void addBlackBoxSteps(const QString &family);
     void addFamilyWatchSteps(const QString &family);
     void addFamilyTuningSteps(const QString &family);
     void addSensorSteps(const QString &family);

@@ -134,6 +134,8 @@ bool Alarms::offersMotorsOff(const AlarmReport &report) const
     const int outputs = m_client.roles().outputs;
     if (const auto store = m_client.telemetry(); store && outputs >= 0 && store->latest(outputs) == 0)
         return false;
+    if (report.alarm.kind == AlarmKind::Disarmed)
+        return true;
     const auto families = m_client.families();
     return std::none_of(families.begin(), families.end(), [this](const Family &family) {
         return family.key == m_client.identity().family && family.nouns.flies;

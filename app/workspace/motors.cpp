@@ -85,6 +85,7 @@ void Workspace::followMotors(DeviceClient::State state)
 {
     if (state == DeviceClient::State::Disconnected) {
         m_ranLast.reset();
+        m_flownAt = {};
         forgetStop();
     }
     if (state != DeviceClient::State::Connected)
@@ -142,11 +143,36 @@ std::optional<bool> Workspace::motorsRunning() const
     return value != 0.0;
 }
 
+void Workspace::setFlown(bool flown)
+{
+    m_flown = flown;
+    if (flown)
+        m_flownAt = Clock::now();
+}
+
+bool Workspace::mayStillFly() const
+{
+    const auto store = m_client.telemetry();
+    if (!m_client.isConnected() || !store || m_flownAt == TimePoint{})
+        return false;
+    const auto isSeenOff = [&](int channel) {
+        return channel >= 0 && store->latestAt(channel) > m_flownAt && latest(channel) == 0;
+    };
+    const int outputs = roles().outputs;
+    const bool tellsOutputs = outputs >= 0 && store->latestAt(outputs) != TimePoint{};
+    return !isSeenOff(roles().armed) || (tellsOutputs && !isSeenOff(outputs));
+}
+
 void Workspace::forgetStop()
 {
     m_stopProvenAt.reset();
     m_stopUnprovenAt.reset();
     m_wereOff = false;
+}
+
+bool Workspace::isDeaf() const
+{
+    return m_client.deafUntil() > Clock::now();
 }
 
 bool Workspace::isStarting() const
@@ -171,6 +197,8 @@ void Workspace::tellRunningOn(bool isRunning)
 void Workspace::settleMotors()
 {
     const std::optional<bool> running = motorsRunning();
+    if (!m_flown && m_client.isConnected() && !mayStillFly())
+        m_flownAt = {};  // who arms it from now on is somebody else
     // What was sent before the stop says nothing of it.
     if (running == true
         && (!m_stopProvenAt
@@ -182,14 +210,16 @@ void Workspace::settleMotors()
             tr("The motors run: the board has carried out the start that it did not answer to."),
             Notice::Attention);
     }
-    if (running == false && !isStarting() && !m_client.isStopUnproven())
+    // A deaf board is about to drive them, or does so again at once.
+    if (running == false && !isStarting() && !m_client.isStopUnproven() && !isDeaf())
         m_notifications.settle(Concern::Motors);
     tellRunningOn(running == true);
     if (m_client.isConnected() && m_wereOff && running == true)
         m_notifications.report(
             {tr("The motors run again."),
              tr("They were off before the link ended. A board that restarts switches them on by itself."),
-             tr("Keep clear of the gimbal, or stop them (F12)."),
+             m_notifications.flies() ? tr("Keep clear of the propellers, or stop them (F12).")
+                                     : tr("Keep clear of the gimbal, or stop them (F12)."),
              {}},
             Concern::Motors);
     if (running == true || (Clock::now() > m_startsUntil && !isStarting()))

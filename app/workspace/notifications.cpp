@@ -6,6 +6,7 @@
 #include "app/workspace/linkrecorder.h"
 #include "protocol/base/linkloss.h"
 #include "protocol/client/replaycontrol.h"
+#include "protocol/device/flight.h"
 #include "protocol/transport/replay.h"
 #include "widgets/models/boardtext.h"
 #include "widgets/models/numbertext.h"
@@ -53,6 +54,12 @@ Notifications::Notifications(DeviceClient &client, const ConfigurationModel &con
     connect(&m_client, &DeviceClient::motorsOffLate, this, [this] {
         notify(tr("The board does not confirm yet that the motors are off; the command is repeated. Hold the "
                   "camera."),
+               Notice::Attention, Concern::Motors);
+    });
+    connect(&m_client, &DeviceClient::motorsOffQueued, this, [this](int left) {
+        notify(tr("The board hears nothing for %n more second(s), also no stop. The stop is queued as the "
+                  "first thing that it hears then. To stop it at once, disconnect the battery.",
+                  nullptr, (left + 999) / 1000),
                Notice::Attention, Concern::Motors);
     });
     connect(&m_client, &DeviceClient::motorsOffForgone, this, [this] { settle(Concern::Motors); });
@@ -148,15 +155,26 @@ void Notifications::report(const Error &error, Concern concern)
                concern);
         return;
     }
-    report(describe(error), concern);
+    ErrorText text = describe(error);
+    if (flies() && error.code == ErrorCode::NotProven)
+        text.cure = keepAwayText();
+    report(text, concern);
+}
+
+bool Notifications::flies() const
+{
+    return m_client.device() && m_client.device()->flight();
+}
+
+QString Notifications::keepAwayText() const
+{
+    return flies() ? tr("Keep away from the propellers, and disconnect the battery once they stand.")
+                   : tr("Hold the camera and disconnect the power.");
 }
 
 void Notifications::reportMotorsMayRun(const QString &what)
 {
-    report(
-        ErrorText{
-            what, tr("They may still be running."), tr("Hold the camera and disconnect the power."), {}},
-        Concern::Motors);
+    report(ErrorText{what, tr("They may still be running."), keepAwayText(), {}}, Concern::Motors);
 }
 
 void Notifications::reportMotorsRunOn()
@@ -164,7 +182,7 @@ void Notifications::reportMotorsRunOn()
     settle(Concern::Motors);
     report({tr("The motors run on although they were told to stop."),
             tr("The board answers and reports that they run; stopping them is repeated."),
-            tr("Hold the camera and disconnect the power."),
+            keepAwayText(),
             {}},
            Concern::Motors);
 }
@@ -183,7 +201,8 @@ void Notifications::reportSilence(const QDateTime &since)
 {
     report({tr("No live data have come since %1; the motors ran then.").arg(since.toString(u"HH:mm:ss"_s)),
             tr("They may go on, and nothing is watched: no alarm can tell or stop anything."),
-            tr("Keep clear of the gimbal. Stop the motors (F12), or disconnect the power."),
+            flies() ? keepAwayText()
+                    : tr("Keep clear of the gimbal. Stop the motors (F12), or disconnect the power."),
             {}},
            Concern::Silence);
 }
@@ -408,8 +427,16 @@ void Notifications::onSteeringEnded(bool confirmed)
     const bool wasInDoubt = m_told.contains(Concern::Steering);
     settle(Concern::Steering);
     if (confirmed && wasInDoubt)
-        notify(tr("The board has stopped turning the camera."));
-    if (!confirmed)
+        notify(flies() ? tr("The drone is disarmed, and its outputs stand.")
+                       : tr("The board has stopped turning the camera."));
+    if (!confirmed && flies())
+        report(ErrorText{tr("The drone did not confirm that it is disarmed."),
+                         tr("It may go on with its last throttle. Disarming it goes on as long as there is a "
+                            "link, and begins again with the next one."),
+                         keepAwayText(),
+                         {}},
+               Concern::Steering);
+    else if (!confirmed)
         report(ErrorText{tr("The board did not confirm that it has stopped turning the camera."),
                          tr("The camera may go on moving as it was steered last."),
                          tr("Stop the motors (F12), once there is a link; or hold the camera and "

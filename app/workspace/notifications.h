@@ -30,6 +30,7 @@ enum class Notice {
 enum class Concern {
     None,  ///< answers what was just asked for; stays until it is closed or something else is answered
     Link,
+    OtherStation,  ///< that gets the board's answers
     Back,  ///< that a board is there again
     Reading,  ///< of the board's values
     LiveData,
@@ -96,6 +97,10 @@ public:
     }
     /// What was told since the program began, the newest last, without what is long past.
     [[nodiscard]] const QList<ToldMessage> &history() const { return m_history; }
+    /// The board is that of a drone.
+    [[nodiscard]] bool flies() const;
+    /// What keeps people unhurt while motors may run.
+    [[nodiscard]] QString keepAwayText() const;
     void ask(const Offer &question);
     /// There is nothing to ask any more.
     void withdrawOffer(Topic topic);
@@ -121,6 +126,7 @@ private:
     void tell(const QString &text, Notice kind, Concern concern, const QString &motors);
     void remember(const QString &text, std::optional<Notice> kind);
     [[nodiscard]] QString circumstances() const;
+    /// What to do where motors may run.
     void onState(DeviceClient::State state);
     void onConnectionFailed(const Error &error);
     void onLost(const Error &error);

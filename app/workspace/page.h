@@ -40,6 +40,8 @@ public:
 
 signals:
     void changesChanged();
+    /// The operator wants to go to an action of the board, which this page has named.
+    void actionWanted(const QString &key);
 
 protected:
     [[nodiscard]] Workspace &workspace() const { return m_workspace; }

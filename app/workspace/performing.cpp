@@ -33,9 +33,19 @@ QFuture<Result<ActionOutcome>> Workspace::perform(const QString &key, const QVar
         tellGuided();
         return QtFuture::makeReadyFuture(Result<ActionOutcome>(failure(ErrorCode::Cancelled)));
     }
-    if (it != actions.end() && *it->confirm)
+    if (it != actions.end() && *it->confirm) {
+        // What is asked names what it is asked for, e.g. which motor.
+        QString label = tableText(it->label);
+        for (const ArgumentSpec &argument : it->arguments) {
+            if (const QVariant value = arguments.value(QLatin1String(argument.key)); value.isValid())
+                label += u", %1 %2"_s.arg(tableText(argument.label), value.toString());
+        }
+        const QByteArray named = label.toUtf8();
+        ActionSpec asked = *it;
+        asked.label = named.constData();
         return m_confirmations.ask(
-            *it, [this, key, arguments, quiet] { return performNow(key, arguments, quiet); });
+            asked, [this, key, arguments, quiet] { return performNow(key, arguments, quiet); });
+    }
     return performNow(key, arguments, quiet);
 }
 
@@ -113,9 +123,26 @@ QFuture<Result<ActionOutcome>> Workspace::endWhatGoesOn(const ActionSpec &action
         .unwrap();
 }
 
+// The red button, or Esc, while the board was deaf: what it did is no error.
+void Workspace::tellStopped(const ActionSpec &action, const Error &error)
+{
+    QStringList said{tr("You stopped “%1”.").arg(tableText(action.label))};
+    if (!error.detail.isEmpty())
+        said.append(tr("It had begun, and the board heard nothing until it was over."));
+    if (motorsRunning() == false && !m_client.isStopUnproven())
+        said.append(tr("The motors are proven to stand."));
+    else
+        said.append(tr("That the motors stand is not proven yet."));
+    m_notifications.notify(said.join(u' '), Notice::Attention);
+}
+
 // What would be written is copied before: without the copy nothing was sent yet.
 void Workspace::tellFailure(const ActionSpec &action, const Error &error)
 {
+    if (error.code == ErrorCode::Cancelled && action.silence > 0ms && !isLinkLoss(error)) {
+        tellStopped(action, error);
+        return;
+    }
     ErrorText text = describe(error);
     if (isLinkLoss(error) && action.risk != ActionRisk::Safe) {
         text.what = tr("“%1” was interrupted.").arg(tableText(action.label)) + u' ' + text.what;
@@ -126,9 +153,29 @@ void Workspace::tellFailure(const ActionSpec &action, const Error &error)
     } else if (error.code == ErrorCode::Timeout && action.risk == ActionRisk::Moves) {
         text.what = tr("The board did not answer to “%1”.").arg(tableText(action.label));
         text.meaning = tr("It may carry it out yet, at any moment.");
-        text.cure = tr("Keep your hands off the gimbal, or have the motors stopped (F12).");
+        text.cure = m_notifications.flies()
+            ? tr("Keep clear of the propellers, or have the motors stopped (F12).")
+            : tr("Keep your hands off the gimbal, or have the motors stopped (F12).");
     }
-    m_notifications.report(text, error.after ? Concern::Interrupted : Concern::None);
+    if (error.place)
+        offerPlace(action, error);
+    else
+        m_notifications.report(text, error.after ? Concern::Interrupted : Concern::None);
+}
+
+// What can be mended in a text is shown there.
+void Workspace::offerPlace(const ActionSpec &action, const Error &error)
+{
+    const TextPlace place = *error.place;
+    m_notifications.ask(
+        {tr("“%1” is not possible with the text that the board has: %2. Nothing was changed. Mend the text "
+            "there, "
+            "write it, then try again.")
+             .arg(tableText(action.label), error.detail),
+         {{place.line > 0 ? tr("Open the text at line %1").arg(place.line) : tr("Open the text"),
+           [this, place] { emit textWanted(place); }},
+          {tr("Not now"), [] {}}},
+         Topic::Text});
 }
 
 QString Workspace::lacking() const

@@ -29,6 +29,12 @@ const QString Settings::kRecentAddresses = u"link/recentAddresses"_s;
 const QString Settings::kRecentFiles = u"files/recent"_s;
 const QString Settings::kLayout = u"layout/"_s;
 const QString Settings::kCutTrials = u"trials/"_s;
+const QString Settings::kGamepads = u"gamepads/"_s;
+const QString Settings::kChosenGamepad = u"control/chosenGamepad"_s;
+const QString Settings::kGamepadSteers = u"control/gamepad"_s;
+const QString Settings::kDirections = u"directions/"_s;
+const QString Settings::kVideoAddress = u"video/address"_s;
+const QString Settings::kVideoFolder = u"video/folder"_s;
 const QString Settings::kPlotLayouts = u"data/plotLayouts"_s;
 
 namespace {
@@ -274,4 +280,27 @@ void Settings::setCutTrial(const QString &board, const QByteArray &note)
     else
         m_file.setValue(kCutTrials + board, note);
     m_file.sync();
+}
+
+void Settings::setGamepad(const QByteArray &key, const QByteArray &json)
+{
+    if (json.isEmpty())
+        m_file.remove(kGamepads + QString::fromLatin1(key));
+    else
+        m_file.setValue(kGamepads + QString::fromLatin1(key), json);
+    checkSoon();
+}
+
+// One entry for a board: with another configuration it has to be checked anew.
+QByteArray Settings::checkedDirections(const QString &board, const QByteArray &axesKey) const
+{
+    const QByteArray kept = m_file.value(kDirections + board).toByteArray();
+    return !axesKey.isEmpty() && kept.startsWith(axesKey + ':') ? kept.mid(axesKey.size() + 1) : QByteArray();
+}
+
+void Settings::setCheckedDirections(const QString &board, const QByteArray &axesKey, const QByteArray &found)
+{
+    m_file.setValue(kDirections + board, axesKey + ':' + found);
+    m_file.sync();
+    emit changed();
 }

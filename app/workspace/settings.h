@@ -67,6 +67,12 @@ public:
     void addRecentAddress(const QString &address) { addRecent(kRecentAddresses, address); }
     [[nodiscard]] QStringList recentFiles() const { return m_file.value(kRecentFiles).toStringList(); }
     void addRecentFile(const QString &path) { addRecent(kRecentFiles, path); }
+    /// Where the video of a drone comes from, as typed; empty: from the drone's own host.
+    [[nodiscard]] QString videoAddress() const { return m_file.value(kVideoAddress).toString(); }
+    void setVideoAddress(const QString &address) { set(kVideoAddress, address); }
+    /// Where pictures and recordings of it are saved; empty: in the operator's folder for pictures.
+    [[nodiscard]] QString videoFolder() const { return m_file.value(kVideoFolder).toString(); }
+    void setVideoFolder(const QString &folder) { set(kVideoFolder, folder); }
     /// Sizes of windows and splitters, by name.
     [[nodiscard]] QByteArray layout(const QString &name) const
     {
@@ -87,6 +93,25 @@ public:
     }
     void setCutTrial(const QString &board, const QByteArray &note);
 
+    /// What the sticks of a kind of gamepad are used for, as it was kept; empty: not set up.
+    [[nodiscard]] QByteArray gamepad(const QByteArray &key) const
+    {
+        return m_file.value(kGamepads + QString::fromLatin1(key)).toByteArray();
+    }
+    /// @param json empty: it is forgotten
+    void setGamepad(const QByteArray &key, const QByteArray &json);
+    /// The one to use of several: its kind, a space and its name; empty: none was chosen.
+    [[nodiscard]] QString chosenGamepad() const { return m_file.value(kChosenGamepad).toString(); }
+    void setChosenGamepad(const QString &kindAndName) { set(kChosenGamepad, kindAndName); }
+    /// The control pages listen to a gamepad.
+    [[nodiscard]] bool gamepadSteers() const { return m_file.value(kGamepadSteers, false).toBool(); }
+    void setGamepadSteers(bool on) { set(kGamepadSteers, on); }
+
+    /// What was found when the directions of a machine that flies were checked, by its serial number and what
+    /// they depend on (FlyingMachine::axesKey); empty: nothing.
+    [[nodiscard]] QByteArray checkedDirections(const QString &board, const QByteArray &axesKey) const;
+    void setCheckedDirections(const QString &board, const QByteArray &axesKey, const QByteArray &found);
+
     /// What is wrong with the file: it cannot be read, or values that somebody edited make no sense. These
     /// have their defaults, or the nearest value that is possible.
     [[nodiscard]] QList<Error> problems();
@@ -99,7 +124,8 @@ signals:
 private:
     static const QString kTheme, kLanguage, kFahrenheit, kRetention, kEscapeHold, kSpeedLimit, kDisarm,
         kMotorsOffOnQuit, kAskAboutMotors, kAlarmSound, kSupervisor, kLastAddress, kRecentAddresses,
-        kRecentFiles, kLayout, kPlotLayouts, kCutTrials;
+        kRecentFiles, kLayout, kPlotLayouts, kCutTrials, kGamepads, kGamepadSteers, kChosenGamepad,
+        kDirections, kVideoAddress, kVideoFolder;
     void set(const QString &key, const QVariant &value);
     void addRecent(const QString &key, const QString &text);
     struct Range

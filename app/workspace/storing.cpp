@@ -187,7 +187,7 @@ QFuture<bool> Workspace::askToStoreAlarmed(QWidget &over, const std::optional<QS
 QFuture<bool> Workspace::storeLive(QWidget &over, std::optional<QSet<QString>> listed)
 {
     if (!canCompareStored())
-        return storeAll();
+        return reviewRewriting(over);
     if (!listed) {
         listed.emplace();
         for (const LiveValue &value : m_live.unsaved())
@@ -209,6 +209,31 @@ QFuture<bool> Workspace::storeLive(QWidget &over, std::optional<QSet<QString>> l
                   return QtFuture::makeReadyFuture(false);
               })
         .unwrap();
+}
+
+// Where storing rewrites a text of the board, its lines are seen before.
+QFuture<bool> Workspace::reviewRewriting(QWidget &over)
+{
+    const LiveAccess *live = m_client.device() ? m_client.device()->live() : nullptr;
+    Configuration inUse = std::as_const(m_configuration).board();
+    for (const int id : m_live.parameters()) {
+        if (const auto value = m_live.value(id))
+            std::ignore = inUse.setRaw(inUse.parameters().at(id), 0, *value);
+    }
+    const auto after = live ? live->storedAs(inUse) : std::nullopt;
+    // What stands in the way is told by storing.
+    if (!after || !*after || inUse.dataChangesTo(**after).empty())
+        return storeAll();
+    const Stored stored = makeStored();
+    auto *review = new ReviewDialog(inUse, **after, {}, &over);
+    review->setFlies(m_notifications.flies());
+    review->setAttribute(Qt::WA_DeleteOnClose);
+    connect(&m_client, &DeviceClient::stateChanged, review, &QDialog::reject);
+    connect(review, &QDialog::rejected, this, [stored] { end(stored, false); });
+    connect(review, &QDialog::accepted, this,
+            [this, stored] { storeAll().then(this, [stored](bool done) { end(stored, done); }); });
+    openPanel(*review);
+    return stored->future();
 }
 
 QFuture<bool> Workspace::reviewStoring(const WholeMemory::Contents &both, QWidget &over)

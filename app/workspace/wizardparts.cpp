@@ -86,8 +86,9 @@ void FaceList::setDone(unsigned done)
         item(face)->setText((done >> face & 1U ? u"✓  "_s : u"○  "_s) + faceName(face));
 }
 
-SimulatedHands::SimulatedHands(Workspace &workspace, const Places &places, QWidget *parent)
-    : Card(tr("Simulated gimbal: your hands"), parent)
+SimulatedHands::SimulatedHands(Workspace &workspace, const Places &places, QWidget *parent,
+                               const QString &title)
+    : Card(title.isEmpty() ? tr("Simulated gimbal: your hands") : title, parent)
     , m_workspace(workspace)
     , m_place(new QComboBox)
 {

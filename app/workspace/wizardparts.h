@@ -47,7 +47,8 @@ public:
     /// A place's name and the number that the simulator has for it.
     using Places = QList<std::pair<QString, int>>;
 
-    SimulatedHands(Workspace &workspace, const Places &places, QWidget *parent);
+    /// @param title by default that of a gimbal
+    SimulatedHands(Workspace &workspace, const Places &places, QWidget *parent, const QString &title = {});
     /// In the gimbal, and still on each face.
     [[nodiscard]] static Places faces();
     /// The camera in the gimbal, in the operator's hand.

@@ -4,6 +4,7 @@
 
 #include "protocol/base/filefault.h"
 #include "protocol/record/configurationformats.h"
+#include "widgets/gamepad/gamepadmodule.h"
 #include "widgets/models/errortext.h"
 #include "widgets/models/missingtext.h"
 #include "widgets/models/numbertext.h"
@@ -41,10 +42,25 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     , m_linkMarks(m_client, m_configuration, m_live, m_marks)
     , m_alarms(m_client, m_configuration, m_live, m_telemetry, m_linkMarks, m_settings)
     , m_leftSteering(m_client, m_notifications)
+    , m_linkHealth(m_client, m_notifications)
     , m_writer(m_client, m_configuration, m_live, m_edits, m_history, m_notifications)
     , m_confirmations(m_notifications)
+    , m_gamepad({[this](const QByteArray &key) { return m_settings.gamepad(key); },
+                 [this](const QByteArray &key, const QByteArray &json) { m_settings.setGamepad(key, json); },
+                 [this] {
+                     const QString chosen = m_settings.chosenGamepad();
+                     return Gamepad::Kind{chosen.section(u' ', 0, 0).toLatin1(), chosen.section(u' ', 1)};
+                 },
+                 [this](const Gamepad::Kind &kind) {
+                     m_settings.setChosenGamepad(QString::fromLatin1(kind.guid) + u' ' + kind.name);
+                 }},
+                loadGamepadModule)
 {
     connect(&m_journal, &EditJournal::leftoverFound, this, &Workspace::offerLeftover);
+    connect(&m_client, &DeviceClient::stateChanged, this, [this] {
+        if (m_client.isConnected())
+            m_gamepad.setUse(m_client.device()->flight() ? GamepadUse::Flight : GamepadUse::Camera);
+    });
     m_notifications.follow(m_journal);
     m_notifications.follow(m_recorder);
     // A write ends with storing; what else is in use it may leave so.
@@ -121,8 +137,10 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     connect(&m_freshness, &Freshness::frozenChanged, this, [this](bool isFrozen) {
         if (isFrozen)
             m_notifications.report({tr("The board sends the same live data again and again."),
-                                    tr("What they say of the gimbal and its motors is old."),
-                                    tr("Keep clear of the gimbal. Restart the board if it stays so."),
+                                    tr("What they say of its motors is old."),
+                                    m_notifications.flies()
+                                        ? m_notifications.keepAwayText()
+                                        : tr("Keep clear of the gimbal. Restart the board if it stays so."),
                                     {}},
                                    Concern::Frozen);
         else
@@ -422,7 +440,12 @@ bool Workspace::refusesToBegin()
 
 bool Workspace::refusesMeanwhile()
 {
-    if (m_live.isHeld())
+    if (m_flown)
+        m_notifications.report({tr("It is armed from here."),
+                                tr("Nothing is written, stored or begun while its motors may turn."),
+                                tr("Disarm it first, on the page “Flight”."),
+                                {}});
+    else if (m_live.isHeld())
         m_notifications.report(
             {tr("A search, measurement or calibration is running."),
              tr("A change made now would only take effect afterwards, and replace what was "
@@ -430,7 +453,7 @@ bool Workspace::refusesMeanwhile()
              tr("Wait until it is over, or end it first. F12 and the red button switch the "
                 "motors off at once."),
              {}});
-    return m_live.isHeld();
+    return m_flown || m_live.isHeld();
 }
 
 void Workspace::tellGuided()
@@ -499,7 +522,7 @@ QString Workspace::configurationFilter() const
 
 QString Workspace::openFilter() const
 {
-    QStringList endings{u"*.json"_s, u"*.gimbalrec"_s, u"*.rec"_s};
+    QStringList endings{u"*.json"_s, u"*.gimbalrec"_s, u"*.rec"_s, u"*.csv"_s};
     for (const Family &each : m_client.families()) {
         if (each.settingsFile)
             endings.append(u"*."_s + each.settingsFile->suffix);
@@ -550,6 +573,12 @@ std::vector<BoardFault> Workspace::faults() const
     if (std::isnan(bits) || !words)
         return {};
     return words->faults(unsigned(bits), std::isnan(detail) ? 0U : unsigned(detail));
+}
+
+void Workspace::setVideoRecording(const QString &path)
+{
+    if (std::exchange(m_videoRecording, path) != path)
+        emit videoRecordingChanged();
 }
 
 // A menu button, a radio or another program can change the profile as well. A sample from before the last

@@ -10,6 +10,7 @@
 #include "app/workspace/editjournal.h"
 #include "app/workspace/freshness.h"
 #include "app/workspace/leftsteering.h"
+#include "app/workspace/linkhealth.h"
 #include "app/workspace/linkmarks.h"
 #include "app/workspace/linkrecorder.h"
 #include "app/workspace/notchadviser.h"
@@ -21,6 +22,7 @@
 #include "protocol/device/family.h"
 #include "protocol/procedure/safeaction.h"
 #include "widgets/forms/editstack.h"
+#include "widgets/gamepad/gamepad.h"
 #include "widgets/models/livemodel.h"
 #include "widgets/theme/theme.h"
 
@@ -50,6 +52,7 @@ public:
     /// Values that the board changes at once, shared by all pages.
     [[nodiscard]] LiveModel &live() { return m_live; }
     [[nodiscard]] Settings &settings() { return m_settings; }
+    [[nodiscard]] const Links &links() const { return m_links; }
     [[nodiscard]] EditJournal &journal() { return m_journal; }
     [[nodiscard]] BoardNaming &naming() { return m_naming; }
     [[nodiscard]] LinkRecorder &recorder() { return m_recorder; }
@@ -58,6 +61,11 @@ public:
     [[nodiscard]] Freshness &freshness() { return m_freshness; }
     [[nodiscard]] Alarms &alarms() { return m_alarms; }
     [[nodiscard]] NotchAdviser &notches() { return m_notches; }
+    /// Read only while somebody uses it.
+    /// The file into which video is recorded; empty: none is.
+    [[nodiscard]] const QString &videoRecording() const { return m_videoRecording; }
+    void setVideoRecording(const QString &path);
+    [[nodiscard]] Gamepad &gamepad() { return m_gamepad; }
     /// What happened on this link, for the plots.
     [[nodiscard]] PlotMarks &marks() { return m_marks; }
     /// Adds a mark at this moment.
@@ -123,6 +131,11 @@ public:
     /// nothing else on the screen does that then.
     void setGuided(bool guided, const QString &steps = {});
     [[nodiscard]] bool isGuided() const { return m_guided; }
+    /// Something that flies is armed from here: what would need it disarmed is refused until it is.
+    void setFlown(bool flown);
+    [[nodiscard]] bool isFlown() const { return m_flown; }
+    /// It was armed from here, and has not said since that it is disarmed and its outputs are 0.
+    [[nodiscard]] bool mayStillFly() const;
     /// True, and told, while a search, measurement or calibration runs (LiveModel::isHeld()): what is
     /// written, stored, switched or begun meanwhile would wait for its end, and fall on what it has found.
     bool refusesMeanwhile();
@@ -165,6 +178,8 @@ public:
     [[nodiscard]] std::optional<bool> motorsRunning() const;
     /// The board reports that it starts: its motors run soon, without being told to.
     [[nodiscard]] bool isStarting() const;
+    /// The board hears nothing, because of something that drives its motors (DeviceClient::deafUntil()).
+    [[nodiscard]] bool isDeaf() const;
     [[nodiscard]] std::vector<BoardFault> faults() const;
     [[nodiscard]] const std::optional<WriteReport> &lastReport() const { return m_writer.lastReport(); }
     [[nodiscard]] bool isWriting() const { return m_writer.isWriting(); }
@@ -172,6 +187,7 @@ public:
 signals:
     void boardRead();
     void unstoredChanged();
+    void videoRecordingChanged();
     void guidedChanged();
     /// A snapshot was added to the board's history.
     void snapshotTaken();
@@ -183,6 +199,8 @@ signals:
     void workEnded();
     /// Steering shall end.
     void controlReleased();
+    /// The operator wants to see that place of a text.
+    void textWanted(const TextPlace &place);
 
 private:
     void onState(DeviceClient::State state);
@@ -200,6 +218,7 @@ private:
     QFuture<bool> askToStoreAlarmed(QWidget &over, const std::optional<QSet<QString>> &listed);
     [[nodiscard]] bool isAlarmedInUse() const;
     QFuture<bool> storeAll();
+    QFuture<bool> reviewRewriting(QWidget &over);
     QFuture<bool> reviewStoring(const WholeMemory::Contents &both, QWidget &over);
     QFuture<bool> askToStoreAll(const Error &untold, QWidget &over);
     QFuture<bool> storeChosen(const Configuration &chosen);
@@ -208,6 +227,8 @@ private:
     QFuture<Result<ActionOutcome>> endWhatGoesOn(const ActionSpec &action,
                                                  QFuture<Result<ActionOutcome>> done);
     void tellFailure(const ActionSpec &action, const Error &error);
+    void tellStopped(const ActionSpec &action, const Error &error);
+    void offerPlace(const ActionSpec &action, const Error &error);
     void readWhenFree();
     void readUnknown();
     [[nodiscard]] bool isUnknown() const;
@@ -253,15 +274,20 @@ private:
     LinkMarks m_linkMarks;
     Alarms m_alarms;
     LeftSteering m_leftSteering;
+    LinkHealth m_linkHealth;
     BoardWriter m_writer;
     mutable std::unique_ptr<Device> m_tables;  // of the file's family, while no board is connected
     mutable QString m_tablesOf;
     Confirmations m_confirmations;
     NotchAdviser m_notches{m_client,  m_configuration, m_live,     m_edits,     m_writer,
                            m_history, m_notifications, m_settings, m_telemetry, m_linkMarks};
+    QString m_videoRecording;
+    Gamepad m_gamepad;
     bool m_unstored = false;
     bool m_storedKnown = false;
     bool m_guided = false;
+    bool m_flown = false;
+    TimePoint m_flownAt{};  // last, as long as it has not been seen to stand since
     QString m_guidedSteps;  // how the keys of its actions begin
     int m_works = 0;
     std::optional<Error> m_unsettled;  // something that failed; what the board holds since is not known yet

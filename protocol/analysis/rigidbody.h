@@ -17,6 +17,8 @@ public:
     /// Turned by hand, in degrees: yaw first, then pitch, then roll. It stands still there.
     void setAttitude(const Vector3 &degrees);
     void stop() { m_rates = {}; }
+    /// Turned by something stronger, at this rate.
+    void carry(const Vector3 &rates) { m_rates = rates; }
     /// Its rate about that axis, 0 to 2, is taken away.
     void block(std::size_t axis) { m_rates[axis] = 0; }
     /// Goes on for a short time. @param torque about its own axes, Nm

@@ -3,6 +3,7 @@
 #include "protocol/analysis/stepresponse.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
@@ -153,6 +154,34 @@ Result<StepMeasurement> measureSteps(std::span<const float> target, std::span<co
         return tl::unexpected(metrics.error());
     measurement.metrics = *metrics;
     return measurement;
+}
+
+Result<StepMeasurement> measureCommandSteps(std::span<const float> command, std::span<const float> response,
+                                            double rate, double seconds)
+{
+    if (command.empty() || response.size() < command.size())
+        return failure(ErrorCode::TooFewSamples, u"no samples"_s);
+    const auto [low, high] = std::minmax_element(command.begin(), command.end());
+    const float middle = (*low + *high) / 2;
+    std::array<double, 2> sums{};
+    std::array<std::size_t, 2> counts{};
+    for (std::size_t from = 0; from < command.size();) {
+        const bool isHigh = command[from] > middle;
+        std::size_t to = from;
+        while (to < command.size() && (command[to] > middle) == isHigh)
+            ++to;
+        for (std::size_t i = to - (to - from) / 3; i < to; ++i, ++counts[isHigh])
+            sums[isHigh] += double(response[i]);
+        from = to;
+    }
+    if (counts[0] == 0 || counts[1] == 0)
+        return failure(ErrorCode::InvalidArgument, u"the command did not step"_s);
+    const std::array<float, 2> levels{float(sums[0] / double(counts[0])), float(sums[1] / double(counts[1]))};
+    std::vector<float> target;
+    target.reserve(command.size());
+    for (const float wanted : command)
+        target.push_back(levels[wanted > middle]);
+    return measureSteps(target, response, rate, seconds);
 }
 
 std::vector<StepEvent> findSteps(std::span<const float> target, double rate, double size, double rest)

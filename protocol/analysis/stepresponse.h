@@ -63,6 +63,12 @@ struct StepMeasurement
 [[nodiscard]] Result<StepMeasurement>
 measureSteps(std::span<const float> target, std::span<const float> response, double rate, double seconds);
 
+/// The same for a command in units of its own, which alternates between two levels: what of the response
+/// belongs to each of them is the mean of the last third of the time for which it lasts.
+[[nodiscard]] Result<StepMeasurement> measureCommandSteps(std::span<const float> command,
+                                                          std::span<const float> response, double rate,
+                                                          double seconds);
+
 /// The mean of several runs, sample by sample, as long as the shortest.
 [[nodiscard]] std::vector<float> averageRuns(const std::vector<std::vector<float>> &runs);
 

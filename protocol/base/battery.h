@@ -11,6 +11,9 @@ inline constexpr double kNoBatteryVolts = 5.0;
 /// The most that a full cell of lithium polymer shows.
 inline constexpr double kHighestCellVolts = 4.25;
 
+/// Volts of a cell below which a battery is low, where nobody says otherwise.
+inline constexpr double kLowCellVolts = 3.4;
+
 /// Voltages below which a board does something, those that are set.
 struct BatteryThresholds
 {

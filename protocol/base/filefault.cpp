@@ -49,7 +49,8 @@ FileProblem problemOf(const QFileDevice &file, bool writing)
 bool operator==(const Error &a, const Error &b)
 {
     const bool sameFile = a.file && b.file ? *a.file == *b.file : !a.file == !b.file;
-    return a.code == b.code && a.detail == b.detail && a.boardCode == b.boardCode && sameFile;
+    return a.code == b.code && a.detail == b.detail && a.boardCode == b.boardCode && a.place == b.place
+        && sameFile;
 }
 
 Error FileFault::error() const

@@ -15,6 +15,7 @@ enum class FileKind {
     Measurement,
     Script,
     Text,
+    Firmware,
     Journal,  ///< unsaved edits of an earlier run
     BoardNames,
     Layout,  ///< of plots

@@ -5,6 +5,7 @@
 #include <QString>
 
 #include <memory>
+#include <optional>
 #include <tl/expected.hpp>
 
 struct Aftermath;
@@ -58,6 +59,15 @@ enum class ErrorCode {
 };
 inline constexpr std::size_t kErrorCodes = std::size_t(ErrorCode::Busy) + 1;
 
+/// A place in a text that a board keeps.
+struct TextPlace
+{
+    int block = 0;  ///< BlockSpec::id
+    int line = 0;  ///< from 1; 0 = the text as a whole
+
+    friend bool operator==(const TextPlace &, const TextPlace &) = default;
+};
+
 /// An error as a value: a code, details for experts and, for BoardError, the board's own number.
 struct Error
 {
@@ -68,6 +78,8 @@ struct Error
     /// What the board holds, where something was sent before it failed; see
     /// protocol/configuration/aftermath.h
     std::shared_ptr<const Aftermath> after = {};
+    /// Where in a text that the board keeps it can be mended.
+    std::optional<TextPlace> place = {};
 
     friend bool operator==(const Error &a, const Error &b);
 };

@@ -19,31 +19,45 @@ namespace bcflight {
 namespace {
 
 constexpr auto kCalibrationLimit = 15s;  // errata 7.1
+constexpr int kCalibrationAttempts = 3;
 constexpr auto kStatusPause = 200ms;
-constexpr auto kMotorTestDeaf = 8s;  // errata 7.7
-constexpr auto kEscsDeaf = 26s;
+constexpr auto kTenth = 100ms;
 constexpr auto kHearsAgain = 5s;
 constexpr auto kOutputsCome = 1s;
-constexpr auto kLeaves = 10s;  // fixed waits of about 4 s before it restarts (errata 7.3)
-constexpr auto kComesBack = 20s;
+constexpr auto kAway = 1500ms;  // without any answer: no loss of packets lasts so long by chance
 constexpr std::uint32_t kAccepted = 3;
 constexpr int kStopRounds = 5;
+constexpr int kOutputsLooked = 5;
 constexpr int kBandSize = 8;
-
-constexpr std::array kPictureSteps{Message::BrightnessUp, Message::BrightnessDown, Message::ContrastUp,
-                                   Message::ContrastDown, Message::SaturationUp,   Message::SaturationDown,
-                                   Message::IsoUp,        Message::IsoDown};
-
-std::uint32_t codeOf(const Frame &frame)
-{
-    const FieldSpec field{"code", FieldType::U32};
-    const auto values = decodeFields({&field, 1}, asBytes(frame.payload));
-    return values.empty() ? ~0U : std::uint32_t(values.front().number);
-}
 
 QString textIn(const Frame &frame)
 {
     return QString::fromUtf8(frame.payload.left(frame.payload.indexOf('\0')));
+}
+
+// Channels of video transmitters are counted from 1 through all bands (errata 6.6).
+QString bandOf(int channelNumber)
+{
+    static const QStringList bands{u"Boscam A"_s, u"Boscam B"_s, u"Boscam E"_s, u"FatShark"_s, u"RaceBand"_s};
+    return bands.value((channelNumber - 1) / kBandSize);
+}
+
+int channelInBand(int channelNumber)
+{
+    return (channelNumber - 1) % kBandSize + 1;
+}
+
+// What it streamed before the stop is passed over; where nothing is streamed, nothing tells.
+Result<bool> stand(Mailbox &outputs)
+{
+    for (int i = 0; i < kOutputsLooked; ++i) {
+        const auto told = outputs.next(kOutputsCome);
+        if (!told && told.error().code != ErrorCode::Timeout)
+            return tl::unexpected(told.error());
+        if (!told || !areDriven(outputsIn(asBytes(told->payload))))
+            return true;
+    }
+    return false;
 }
 
 void flatten(const QList<InfoNode> &nodes, const QString &path, ActionReply &reply)
@@ -56,20 +70,14 @@ void flatten(const QList<InfoNode> &nodes, const QString &path, ActionReply &rep
     }
 }
 
-// As short as the drone, which may compute in single precision at each step, makes the same gain of it.
-double literalFor(float gain, double scale)
-{
-    const double exact = double(gain) / scale;
-    for (int digits = 3; digits < 17; ++digits) {
-        const double value = QByteArray::number(exact, 'g', digits).toDouble();
-        if (float(value) * float(scale) == gain && float(double(float(value)) * scale) == gain
-            && float(value * scale) == gain)
-            return value;
-    }
-    return exact;
-}
-
 }  // namespace
+
+std::uint32_t Device::codeOf(const Frame &frame)
+{
+    const FieldSpec field{"code", FieldType::U32};
+    const auto values = decodeFields({&field, 1}, asBytes(frame.payload));
+    return values.empty() ? ~0U : std::uint32_t(values.front().number);
+}
 
 Result<ActionReply> Device::perform(Channel &channel, const QString &key, const QVariantMap &arguments)
 {
@@ -99,6 +107,8 @@ Result<ActionReply> Device::perform(Channel &channel, const QString &key, const 
         return testMotor(channel, number("motor"));
     if (is("escs.calibrate"))
         return calibrateEscs(channel);
+    if (is("firmware.upload"))
+        return uploadFirmware(channel, arguments.value(u"file"_s).toString());
     if (is("mode") || is("motors.beep")) {
         if (const auto ready = checkDisarmed(channel); !ready)
             return tl::unexpected(ready.error());
@@ -117,27 +127,14 @@ Result<ActionReply> Device::perform(Channel &channel, const QString &key, const 
     if (is("clock"))
         return send(ask(Message::SetTimestamp, bigU32(std::uint32_t(QDateTime::currentSecsSinceEpoch()))));
     if (is("vtx"))
-        return transmitter(channel, ask(Message::VtxGetSettings));
+        return transmitter(channel);
     if (is("vtx.channel"))
-        return transmitter(
-            channel,
-            ask(Message::VtxSetChannel, QByteArray(1, char(number("band") * kBandSize + number("channel")))));
+        return setTransmitter(channel, Message::VtxSetChannel,
+                              number("band") * kBandSize + number("channel"));
     if (is("vtx.power"))
-        return transmitter(channel, ask(Message::VtxSetPower, QByteArray(1, char(number("power") - 1))));
-    if (is("camera"))
-        return tellCamera(channel);
-    if (is("camera.step"))
-        return send(order(kPictureSteps[std::size_t(number("step"))]));
-    if (is("camera.record"))
-        return send(ask(on ? Message::VideoStartRecord : Message::VideoStopRecord));
-    if (is("camera.white_balance") || is("camera.lock")) {
-        // It switches with each command: a repeated one would switch once more.
-        Request request = ask(is("camera.lock") ? Message::LockWhiteBalance : Message::WhiteBalance);
-        request.idempotent = false;
-        return channel.transact(request).map([](const Frame &frame) {
-            return ActionReply{{u"white_balance"_s, textIn(frame)}};
-        });
-    }
+        return setTransmitter(channel, Message::VtxSetPower, number("power") - 1);
+    if (key == u"camera"_s || key.startsWith(u"camera."_s))
+        return performCamera(channel, key, arguments);
     if (is("recordings"))
         return tellRecordings(channel);
     return failure(ErrorCode::Unsupported, key);
@@ -147,6 +144,8 @@ Result<ActionReply> Device::perform(Channel &channel, const QString &key, const 
 Result<ActionReply> Device::stopMotors(Channel &channel)
 {
     const StopPlan plan = stopPlan();
+    const auto outputs
+        = channel.listen([](const FrameView &frame) { return frame.id == int(Message::MotorsSpeed); });
     Result<Status> now = failure(ErrorCode::Timeout);
     for (int round = 0; round < kStopRounds; ++round) {
         for (const Request &request : plan.means.front().requests) {
@@ -154,12 +153,19 @@ Result<ActionReply> Device::stopMotors(Channel &channel)
                 channel.post(request);
         }
         now = status(channel);
-        if (now && !now->armed)
-            return ActionReply();
+        if (now && !now->armed) {
+            const auto standing = stand(*outputs);
+            if (!standing)
+                return tl::unexpected(standing.error());
+            if (*standing)
+                return ActionReply();
+        }
         if (!now && now.error().code != ErrorCode::Timeout)
             break;
     }
-    return now ? failure(ErrorCode::NotProven, u"the drone says that it is armed"_s)
+    return now ? failure(ErrorCode::NotProven,
+                         now->armed ? u"the drone says that it is armed"_s
+                                    : u"the drone drives its motors though disarmed"_s)
                : tl::unexpected(now.error());
 }
 
@@ -168,46 +174,59 @@ Result<ActionReply> Device::tellStatus(Channel &channel)
     const auto now = status(channel);
     if (!now)
         return tl::unexpected(now.error());
-    const auto reply = channel.transact(ask(Message::Telemetry));
+    const auto reply = channel.transact(askState(Message::Telemetry));
     if (!reply)
         return tl::unexpected(reply.error());
     const auto telemetry = Telemetry::decode(asBytes(reply->payload));
     if (!telemetry)
         return failure(ErrorCode::BadReply, u"TELEMETRY"_s);
-    return ActionReply{{u"armed"_s, now->armed},
-                       {u"calibrated"_s, now->calibrated},
-                       {u"calibrating"_s, now->calibrating},
-                       {u"battery.voltage"_s, telemetry->voltage},
-                       {u"battery.charge"_s, telemetry->charge},
-                       {u"battery.current"_s, telemetry->current},
-                       {u"battery.level"_s, telemetry->level},
-                       {u"cpu.load"_s, telemetry->cpuLoad},
-                       {u"cpu.temperature"_s, telemetry->cpuTemperature},
-                       {u"rx.quality"_s, telemetry->receiveQuality},
-                       {u"rx.dbm"_s, telemetry->receiveLevel}};
+    ActionReply told{{u"armed"_s, now->armed},
+                     {u"calibrated"_s, now->calibrated},
+                     {u"calibrating"_s, now->calibrating},
+                     {u"battery.voltage"_s, telemetry->voltage},
+                     {u"battery.charge"_s, telemetry->charge},
+                     {u"battery.level"_s, telemetry->level},
+                     {u"cpu.load"_s, telemetry->cpuLoad},
+                     {u"cpu.temperature"_s, telemetry->cpuTemperature},
+                     {u"rx.quality"_s, telemetry->receiveQuality},
+                     {u"rx.dbm"_s, telemetry->receiveLevel}};
+    if (telemetry->current != 0)  // 0 where nothing measures it (errata 4.2)
+        told.insert(u"battery.current"_s, telemetry->current);
+    return told;
+}
+
+Result<QString> Device::readInformation(Channel &channel, Message id)
+{
+    if (wireId(id, m_generation) < 0)
+        return failure(ErrorCode::Unsupported, u"this generation does not tell it"_s);
+    return channel.transact(ask(id)).map(textIn);
 }
 
 // Where it cannot be read as a table it is told as it came.
 Result<ActionReply> Device::tellInfo(Channel &channel, Message id)
 {
-    const auto reply = channel.transact(ask(id));
-    if (!reply)
-        return tl::unexpected(reply.error());
-    const QString text = textIn(*reply);
-    const auto nodes = readInfo(text.toUtf8());
+    const auto text = readInformation(channel, id);
+    if (!text)
+        return tl::unexpected(text.error());
+    const auto nodes = readInfo(text->toUtf8());
     if (!nodes)
-        return ActionReply{{u"text"_s, text}};
+        return ActionReply{{u"text"_s, *text}};
     ActionReply told;
     flatten(*nodes, {}, told);
     return told;
 }
 
+Result<QByteArray> Device::readRecordingsList(Channel &channel)
+{
+    if (m_generation < Generation::F)
+        return failure(ErrorCode::Unsupported, u"only generations F and G are asked for their recordings"_s);
+    const auto reply = channel.transact(ask(Message::GetRecordingsList));
+    return reply ? decodeChecked(asBytes(reply->payload)) : tl::unexpected(reply.error());
+}
+
 Result<ActionReply> Device::tellRecordings(Channel &channel)
 {
-    const auto reply = channel.transact(ask(Message::GetRecordingsList));
-    if (!reply)
-        return tl::unexpected(reply.error());
-    const auto text = decodeChecked(asBytes(reply->payload));
+    const auto text = readRecordingsList(channel);
     if (!text)
         return tl::unexpected(text.error());
     int damaged = 0;
@@ -219,31 +238,32 @@ Result<ActionReply> Device::tellRecordings(Channel &channel)
     return told;
 }
 
-// Without a camera it says nothing to these (errata 6.5).
-Result<ActionReply> Device::tellCamera(Channel &channel)
+// Its answer carries what it really set (errata 6.6), and so do its settings.
+Result<ActionReply> Device::setTransmitter(Channel &channel, Message id, int wanted) const
 {
-    const auto iso = channel.transact(ask(Message::Iso));
-    if (!iso)
-        return iso.error().code == ErrorCode::Timeout
-            ? failure(ErrorCode::Unsupported, u"no camera answers"_s)
-            : tl::unexpected(iso.error());
-    ActionReply told{{u"iso"_s, int(codeOf(*iso))}};
-    if (const auto shutter = channel.transact(ask(Message::ShutterSpeed)))
-        told.insert(u"shutter"_s, codeOf(*shutter));
-    return told;
+    const auto there = transmitter(channel);
+    if (!there)
+        return there;
+    if (const auto set = channel.transact(ask(id, QByteArray(1, char(wanted)))); !set)
+        return tl::unexpected(set.error());
+    const auto now = transmitter(channel);
+    if (!now)
+        return now;
+    const int power = now->value(u"power"_s).toInt();
+    const QString band = now->value(u"band"_s).toString();
+    const int number = now->value(u"channel"_s).toInt();
+    if (id == Message::VtxSetPower && power != wanted + 1)
+        return failure(ErrorCode::NoEffect, u"the transmitter sends with power %1"_s.arg(power));
+    if (id == Message::VtxSetChannel && (band != bandOf(wanted) || number != channelInBand(wanted)))
+        return failure(ErrorCode::NoEffect,
+                       u"the transmitter sends in the band %1 on channel %2"_s.arg(band).arg(number));
+    return now;
 }
 
 // Errata 6.6: all ones where there is no transmitter.
-Result<ActionReply> Device::transmitter(Channel &channel, const Request &request) const
+Result<ActionReply> Device::transmitter(Channel &channel) const
 {
-    if (request.kind != int(Message::VtxGetSettings)) {
-        const auto there = transmitter(channel, ask(Message::VtxGetSettings));
-        if (!there)
-            return there;
-        if (const auto set = channel.transact(request); !set)
-            return tl::unexpected(set.error());
-        return transmitter(channel, ask(Message::VtxGetSettings));
-    }
+    const Request request = ask(Message::VtxGetSettings);
     const auto reply = channel.transact(request);
     if (!reply)
         return tl::unexpected(reply.error());
@@ -257,13 +277,37 @@ Result<ActionReply> Device::transmitter(Channel &channel, const Request &request
     QStringList powers;
     for (const float dbm : values[4].numbers)
         powers.append(QString::number(int(dbm)));
-    static const QStringList bands{u"Boscam A"_s, u"Boscam B"_s, u"Boscam E"_s, u"FatShark"_s, u"RaceBand"_s};
-    return ActionReply{{u"band"_s, bands.at((channelNumber - 1) / kBandSize)},
-                       {u"channel"_s, (channelNumber - 1) % kBandSize + 1},
-                       {u"frequency"_s, int(values[1].number)},
-                       {u"power"_s, int(values[2].number) + 1},
-                       {u"power.dbm"_s, int(values[3].number)},
-                       {u"powers"_s, powers.join(u' ')}};
+    return ActionReply{{u"band"_s, bandOf(channelNumber)},      {u"channel"_s, channelInBand(channelNumber)},
+                       {u"frequency"_s, int(values[1].number)}, {u"power"_s, int(values[2].number) + 1},
+                       {u"power.dbm"_s, int(values[3].number)}, {u"powers"_s, powers.join(u' ')}};
+}
+
+// Its one answer may be lost, or what it answers to; its status tells which, and only a drone that has not
+// begun is told again.
+Result<bool> Device::beginCalibration(Channel &channel, bool isFull)
+{
+    Request request = ask(Message::Calibrate, bigU32(isFull ? 1 : 0) + bigF32(0));
+    request.idempotent = false;
+    const auto before = status(channel);
+    if (!before)
+        return tl::unexpected(before.error());
+    for (int attempt = 1;; ++attempt) {
+        const auto reply = channel.transact(request);
+        if (reply && codeOf(*reply) == kAccepted)
+            return !before->calibrated;
+        if (reply)
+            return tl::unexpected(
+                Error{ErrorCode::BoardError, u"the drone refuses to calibrate"_s, int(codeOf(*reply))});
+        if (reply.error().code != ErrorCode::Timeout || attempt == kCalibrationAttempts)
+            return tl::unexpected(reply.error());
+        const auto now = status(channel);
+        if (!now)
+            return tl::unexpected(now.error());
+        if (now->armed)
+            return failure(ErrorCode::ConditionUnmet, u"the drone is armed"_s);
+        if (now->calibrating || now->calibrated != before->calibrated)
+            return true;
+    }
 }
 
 // One answer, then its status tells (errata 7.1).
@@ -271,18 +315,13 @@ Result<ActionReply> Device::calibrate(Channel &channel, bool isFull)
 {
     if (const auto ready = checkDisarmed(channel); !ready)
         return tl::unexpected(ready.error());
-    Request request = ask(Message::Calibrate, bigU32(isFull ? 1 : 0) + bigF32(0));
-    request.idempotent = false;
-    const auto reply = channel.transact(request);
-    if (!reply)
-        return tl::unexpected(reply.error());
-    if (codeOf(*reply) != kAccepted)
-        return tl::unexpected(
-            Error{ErrorCode::BoardError, u"the drone refuses to calibrate"_s, int(codeOf(*reply))});
+    const auto begun = beginCalibration(channel, isFull);
+    if (!begun)
+        return tl::unexpected(begun.error());
     Progress progress;
     progress.step = u"calibrate-drone"_s;
     channel.progress(progress);
-    bool wasSeen = false;
+    bool wasSeen = *begun;
     for (const TimePoint limit = channel.now() + kCalibrationLimit; channel.now() < limit;) {
         const auto now = status(channel);
         if (!now)
@@ -298,22 +337,43 @@ Result<ActionReply> Device::calibrate(Channel &channel, bool isFull)
                            : u"the drone did not begin to calibrate"_s);
 }
 
-Result<ActionReply> Device::waitDeaf(Channel &channel, const Request &request, milliseconds deaf,
-                                     const QString &step)
+// Nobody can call it back, so nobody ends the wait: what came after it would queue up behind its command.
+Result<void> Device::waitDeaf(Channel &channel, const Request &request, std::span<const DeafPhase> phases,
+                              QMap<QString, double> figures)
 {
+    const Unbroken unbroken(channel);
+    milliseconds deaf{};
+    for (const DeafPhase &phase : phases)
+        deaf += phase.time;
     channel.keepQuiet(deaf);
     channel.expectSilence(deaf + kHearsAgain);
     channel.post(request);
     Progress progress;
-    progress.step = step;
-    progress.total = 100;
+    progress.total = int(deaf / kTenth);
+    progress.values = std::move(figures);
     const TimePoint begin = channel.now();
-    while (channel.now() < begin + deaf) {
-        progress.done = int(100.0 * (seconds(channel.now() - begin) / seconds(deaf)));
-        channel.progress(progress);
-        if (const auto slept = channel.sleep(kStatusPause); !slept)
-            return tl::unexpected(slept.error());
+    TimePoint ends = begin;
+    for (const DeafPhase &phase : phases) {
+        ends += phase.time;
+        progress.step = QLatin1String(phase.step);
+        while (channel.now() < ends) {
+            progress.done = int((channel.now() - begin) / kTenth);
+            progress.values.insert(u"left"_s, seconds(begin + deaf - channel.now()));
+            channel.progress(progress);
+            if (const auto slept = channel.sleep(kStatusPause); !slept)
+                return slept;
+        }
     }
+    return {};
+}
+
+Result<ActionReply> Device::beDeaf(Channel &channel, const Request &request,
+                                   std::span<const DeafPhase> phases, const QMap<QString, double> &figures)
+{
+    if (const auto waited = waitDeaf(channel, request, phases, figures); !waited)
+        return tl::unexpected(waited.error());
+    if (channel.cancelled())
+        return failure(ErrorCode::Cancelled, u"the drone had taken it up already, and has carried it out"_s);
     for (const TimePoint limit = channel.now() + kHearsAgain; channel.now() < limit;) {
         const auto now = status(channel);
         if (now)
@@ -343,12 +403,12 @@ Result<ActionReply> Device::testMotor(Channel &channel, int motor)
         return failure(ErrorCode::ConditionUnmet,
                        u"the drone does not stream its outputs, so nobody knows how many motors it has; "
                        "switch full telemetry on"_s);
-    const auto fields = decodeFields(*findMessage(Message::MotorsSpeed)->fromDrone, asBytes(told->payload));
-    const int count = fields.empty() ? 0 : int(fields.front().numbers.size());
+    const int count = int(outputsIn(asBytes(told->payload)).size());
     if (motor < 1 || motor > count)
         return failure(ErrorCode::InvalidArgument, u"the drone has %1 motors"_s.arg(count));
-    return waitDeaf(channel, order(Message::MotorTest, bigU32(std::uint32_t(motor - 1))), kMotorTestDeaf,
-                    u"motor-test"_s);
+    constexpr DeafPhase kPhases[] = {{"motor-test", 8s}};  // errata 7.7
+    return beDeaf(channel, order(Message::MotorTest, bigU32(std::uint32_t(motor - 1))), kPhases,
+                  {{u"motor"_s, double(motor)}});
 }
 
 Result<ActionReply> Device::calibrateEscs(Channel &channel)
@@ -359,7 +419,31 @@ Result<ActionReply> Device::calibrateEscs(Channel &channel)
     if (now->armed || now->calibrating)
         return failure(ErrorCode::ConditionUnmet,
                        now->armed ? u"the drone is armed"_s : u"the drone is calibrating"_s);
-    return waitDeaf(channel, order(Message::CalibrateEscs), kEscsDeaf, u"escs"_s);
+    constexpr DeafPhase kPhases[] = {{"escs-off", 10s}, {"escs-full", 8s}, {"escs-zero", 8s}};  // errata 7.7
+    return beDeaf(channel, order(Message::CalibrateEscs), kPhases, {});
+}
+
+Result<QByteArray> Device::withGains(const QByteArray &text, const QByteArray &gains, int &changed)
+{
+    const auto scales = findScales(text);
+    if (!scales)
+        return tl::unexpected(scales.error());
+    QByteArray next = text;
+    constexpr std::array kNames{"pid_roll", "pid_pitch", "pid_yaw"};
+    for (int variable = 0; variable < kRateGains; ++variable) {
+        const auto term = std::size_t(variable % 3);
+        const auto found = findGains(next, QString::fromLatin1(kNames[std::size_t(variable / 3)]));
+        if (!found)
+            return tl::unexpected(found.error());
+        const double scale = (*scales)[term];
+        const float gain = gainAt(gains, variable);
+        const Literal &literal = (*found)[term];
+        if (float(literal.value * scale) == gain)
+            continue;
+        next = replaced(next, literal, literalFor(gain, scale));
+        ++changed;
+    }
+    return next;
 }
 
 // What is in use is forgotten at the next start, so it is written into the text that the drone reads then:
@@ -374,40 +458,18 @@ Result<ActionReply> Device::storeGains(Channel &channel)
     const auto text = readText(channel);
     if (!text)
         return tl::unexpected(text.error());
-    const auto scales = findScales(*text);
-    if (!scales)
-        return tl::unexpected(scales.error());
-    QByteArray next = *text;
     int changed = 0;
-    constexpr std::array kNames{"pid_roll", "pid_pitch", "pid_yaw"};
-    for (int variable = 0; variable < kRateGains; ++variable) {
-        const auto term = std::size_t(variable % 3);
-        const auto found = findGains(next, QString::fromLatin1(kNames[std::size_t(variable / 3)]));
-        if (!found)
-            return tl::unexpected(found.error());
-        const double scale = (*scales)[term];
-        const float gain = gainAt(*gains, variable);
-        const Literal &literal = (*found)[term];
-        if (float(literal.value * scale) == gain)
-            continue;
-        next = replaced(next, literal, literalFor(gain, scale));
-        ++changed;
-    }
+    const auto next = withGains(*text, *gains, changed);
+    if (!next)
+        return tl::unexpected(next.error());
     if (changed == 0)
         return ActionReply{{u"changed"_s, 0}};
-    channel.expectSilence(kLeaves + kComesBack);
-    if (const auto written = writeText(channel, next); !written)
+    if (const auto written = writeText(channel, *next); !written)
         return tl::unexpected(written.error());
-    Progress progress;
-    progress.step = u"await-restart"_s;
-    progress.subject = u"CONFIG_FILE"_s;
-    channel.progress(progress);
-    if (const auto back = awaitReturn(channel); !back)
-        return tl::unexpected(back.error());
     const auto held = readText(channel);
     if (!held)
         return tl::unexpected(held.error());
-    if (*held != next)
+    if (*held != *next)
         return failure(ErrorCode::NotStored, u"the drone holds another text than was uploaded"_s);
     // The offset of the horizon has no place in the text: it is in use again, as it was.
     const QByteArray offsets = gains->mid(kRateGains * 4, kOffsets * 4);
@@ -426,29 +488,42 @@ Result<ActionReply> Device::storeGains(Channel &channel)
 }
 
 // It confirms, waits, goes and comes back; the first packet that it hears then is thrown away (errata
-// 3, 7.3).
-Result<void> Device::awaitReturn(Channel &channel)
+// 3, 7.3). A single answer that got lost does not mean that it has gone.
+Result<bool> Device::goesAndReturns(Channel &channel, milliseconds leaves, milliseconds comesBack)
 {
     Request ping = ask(Message::Ping, bigU32(0));
     ping.retries = 0;
     ping.repeated = true;
     bool isAway = false;
-    const TimePoint leaves = channel.now() + kLeaves;
-    const TimePoint limit = leaves + kComesBack;
-    while (channel.now() < (isAway ? limit : leaves)) {
+    TimePoint heardAt = channel.now();
+    const TimePoint leavesBy = heardAt + leaves;
+    const TimePoint limit = leavesBy + comesBack;
+    while (channel.now() < (isAway ? limit : leavesBy)) {
         const auto heard = channel.transact(ping);
         if (!heard && heard.error().code != ErrorCode::Timeout)
             return tl::unexpected(heard.error());
         if (heard && isAway)
-            return {};
-        isAway |= !heard;
+            return true;
+        if (heard)
+            heardAt = channel.now();
+        isAway |= channel.now() - heardAt >= kAway;
         if (const auto slept = channel.sleep(kStatusPause); heard && !slept)
-            return slept;
+            return tl::unexpected(slept.error());
     }
-    return isAway
-        ? failure(ErrorCode::NotSeen,
-                  u"the drone has not come back after its restart; its configuration may not load"_s)
-        : failure(ErrorCode::NotSeen, u"the drone has not restarted"_s);
+    if (!isAway)
+        return false;
+    return failure(
+        ErrorCode::NotSeen,
+        u"the drone has not come back after its restart; what it was given may not start, and then only "
+        "a login on its computer helps"_s);
+}
+
+Result<void> Device::awaitReturn(Channel &channel, milliseconds leaves, milliseconds comesBack)
+{
+    const auto returned = goesAndReturns(channel, leaves, comesBack);
+    if (!returned)
+        return tl::unexpected(returned.error());
+    return *returned ? Result<void>() : failure(ErrorCode::NotSeen, u"the drone has not restarted"_s);
 }
 
 }  // namespace bcflight

@@ -18,6 +18,8 @@ namespace {
 constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
 constexpr float kAbsurd = 1e5F;
 constexpr Duration kStreamed = 2s;
+constexpr float kLevelUnknown = -200;
+constexpr int kLevelUnknownByte = 56;  // the same, cut to a byte
 
 /// Where the fields of a streamed message go: channels in a row, and a factor.
 struct Place
@@ -62,6 +64,8 @@ void Decoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store
                 at, store);
         return;
     }
+    if (id == Message::Ping)
+        return putRoundTrip(frame.payload, at, store);
     if (id == Message::Telemetry)
         return putTelemetry(frame.payload, at, store);
     if (id == Message::MotorsSpeed)
@@ -81,14 +85,27 @@ void Decoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store
     // Before the first arming this is whatever the memory held (errata 6.4).
     if (id == Message::SetThrust && !(values.front() >= 0 && values.front() <= 1))
         values.front() = kNoNumber;
+    if (id == Message::CurrentDraw && !isCurrentTold(values.front()))
+        return;
+    if (id == Message::ReceiveLevel && values.front() == kLevelUnknown)
+        values.front() = kNoNumber;
     put(place->first, std::move(values), at, store);
+}
+
+// A drone whose sensor is not read tells 0 for ever (errata 4.2). That is no value: what answers draws some.
+bool Decoder::isCurrentTold(double ampere)
+{
+    m_hasCurrent |= ampere != 0;
+    return m_hasCurrent;
 }
 
 void Decoder::put(int first, std::vector<float> values, TimePoint at, TelemetryStore &store)
 {
-    for (float &value : values) {
-        if (!(std::abs(value) < kAbsurd))
-            value = kNoNumber;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (std::abs(values[i]) < kAbsurd)
+            continue;
+        values[i] = kNoNumber;
+        store.countInvalid(first + int(i));
     }
     auto &group = m_groups[{first, values.size()}];
     if (!group) {
@@ -102,25 +119,33 @@ void Decoder::put(int first, std::vector<float> values, TimePoint at, TelemetryS
 // Shares of full output, nominal 0 to 1; they can exceed it (errata 6.3).
 void Decoder::putOutputs(Bytes payload, TimePoint at, TelemetryStore &store)
 {
-    const auto fields = decodeFields(*findMessage(Message::MotorsSpeed)->fromDrone, payload);
-    if (fields.empty())
-        return;
-    std::vector<float> values = fields.front().numbers;
+    std::vector<float> values = outputsIn(payload);
     if (values.empty() || values.size() > kMostMotors)
         return;
     const bool isKnown
         = std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); });
-    const bool isDriven = std::any_of(values.begin(), values.end(), [](float value) { return value > 0; });
+    const bool isDriven = areDriven(values);
     if (!m_outputs || m_motors != values.size()) {
         m_motors = values.size();
         QList<int> channels(int(m_motors), 0);
         std::iota(channels.begin(), channels.end(), int(Motor1));
         m_outputs = store.defineGroup(channels << int(Outputs), 0);
     }
-    for (float &value : values)
-        value *= 100;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] *= 100;
+        if (!std::isfinite(values[i]))
+            store.countInvalid(Motor1 + int(i));
+    }
     values.push_back(isKnown ? float(isDriven) : kNoNumber);
     store.append(*m_outputs, at, values);
+}
+
+// The drone gives back what it was told of the round trip before (errata 3), so a recording has it as well.
+void Decoder::putRoundTrip(Bytes payload, TimePoint at, TelemetryStore &store)
+{
+    const auto fields = decodeFields(*findMessage(Message::Ping)->fromDrone, payload);
+    if (fields.size() == 2)
+        put(RoundTrip, {float(fields[1].number)}, at, store);
 }
 
 // The same as in the stream, with fewer digits; it is what a drone that does not stream tells.
@@ -129,9 +154,12 @@ void Decoder::putTelemetry(Bytes payload, TimePoint at, TelemetryStore &store)
     const auto now = Telemetry::decode(payload);
     if (!now || (m_streamedAt != TimePoint{} && at - m_streamedAt < kStreamed))
         return;
-    put(BatteryVolts,
-        {float(now->voltage), float(now->charge), float(now->current), float(now->level), float(now->cpuLoad),
-         float(now->cpuTemperature), float(now->receiveQuality), float(now->receiveLevel)},
+    put(BatteryVolts, {float(now->voltage), float(now->charge)}, at, store);
+    if (isCurrentTold(now->current))
+        put(BatteryCurrent, {float(now->current)}, at, store);
+    put(BatteryShare,
+        {float(now->level), float(now->cpuLoad), float(now->cpuTemperature), float(now->receiveQuality),
+         now->receiveLevel == kLevelUnknownByte ? kNoNumber : float(now->receiveLevel)},
         at, store);
 }
 
@@ -143,8 +171,11 @@ void Decoder::putSpectrum(Bytes payload, TimePoint at, TelemetryStore &store)
     const std::vector<float> &numbers = fields.front().numbers;
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<float> bins;
-        for (std::size_t i = std::size_t(axis); i < numbers.size(); i += 4)
-            bins.push_back(std::isfinite(numbers[i]) ? numbers[i] : 0);
+        for (std::size_t i = std::size_t(axis); i < numbers.size(); i += 4) {
+            bins.push_back(std::isfinite(numbers[i]) ? numbers[i] : kNoNumber);
+            if (!std::isfinite(numbers[i]))
+                store.countInvalid(SpectrumRoll + axis);
+        }
         store.appendArray(SpectrumRoll + axis, at, std::move(bins));
     }
 }

@@ -17,9 +17,11 @@ public:
     void decode(const FrameView &frame, TimePoint at, TelemetryStore &store) override;
 
 private:
+    bool isCurrentTold(double ampere);
     /// Numbers that are none, or beyond anything that can be measured, become gaps.
     void put(int first, std::vector<float> values, TimePoint at, TelemetryStore &store);
     void putOutputs(Bytes payload, TimePoint at, TelemetryStore &store);
+    void putRoundTrip(Bytes payload, TimePoint at, TelemetryStore &store);
     void putTelemetry(Bytes payload, TimePoint at, TelemetryStore &store);
     static void putSpectrum(Bytes payload, TimePoint at, TelemetryStore &store);
 
@@ -27,6 +29,7 @@ private:
         m_groups;  // by first channel and count
     std::shared_ptr<TelemetryGroup> m_outputs;
     std::size_t m_motors = 0;
+    bool m_hasCurrent = false;  // something else than 0 was told of it
     TimePoint m_streamedAt{};  // the battery, in the stream
 };
 

@@ -6,9 +6,10 @@
 #include "protocol/bcflight/framer.h"
 #include "protocol/bcflight/infotext.h"
 #include "protocol/bcflight/luacheck.h"
+#include "protocol/bcflight/luatext.h"
+#include "protocol/bcflight/pingprobe.h"
 #include "protocol/bcflight/tables.h"
 #include "protocol/session/channel.h"
-#include "protocol/session/stopplan.h"
 #include "protocol/telemetry/telemetryplan.h"
 
 #include <QCryptographicHash>
@@ -31,6 +32,9 @@ constexpr double kNoStream = 5;  // rows per second: what is asked for
 constexpr auto kLost = 3s;
 constexpr auto kTogether = 150ms;  // what is answered in one packet has come by then
 constexpr int kSizeOfFloat = 4;
+constexpr int kUploads = 3;
+constexpr auto kLeaves = 10s;  // fixed waits of about 4 s before it restarts (errata 7.3)
+constexpr auto kComesBack = 20s;
 
 constexpr std::array kFactors{Message::RollPidFactors, Message::PitchPidFactors, Message::YawPidFactors};
 
@@ -43,8 +47,7 @@ std::shared_ptr<const ParameterSet> parametersOf(const BoardIdentity &identity)
 // The tick is this computer's clock; the drone gives it back (errata 3).
 QByteArray pingPayload()
 {
-    const auto now = std::chrono::duration_cast<milliseconds>(Clock::now().time_since_epoch()).count();
-    return bigU16(std::uint16_t(now)) + bigU16(0);
+    return bigU16(PingProbe::tickAt(Clock::now())) + bigU16(0);
 }
 
 std::optional<Result<Frame>> accept(const FrameView &frame, Message id)
@@ -102,7 +105,8 @@ Request Device::ask(Message id, const QByteArray &payload) const
 // The first packet that a drone hears after its start makes it listen, and is thrown away (errata 3).
 Result<bool> Device::probe(Channel &channel)
 {
-    Request ping = ask(Message::Ping, pingPayload());
+    // Always the same one: a recording answers what it was asked.
+    Request ping = ask(Message::Ping, bigU16(0) + bigU16(0));
     ping.repeated = true;
     const auto reply = channel.transact(ping);
     if (!reply && reply.error().code != ErrorCode::Timeout)
@@ -142,7 +146,8 @@ Result<Generation> Device::detect(Channel &channel)
     };
     Request status = ask(Message::Status);
     status.bytes = QByteArray::fromHex("85");
-    status.retries = 2;
+    // Packets are lost, and a drone that is taken for an old one is open for reading only.
+    status.retries = 5;
     if (const auto current = isAnswered(status); !current || *current)
         return current ? Result<Generation>(Generation::G) : tl::unexpected(current.error());
     Request echo = ask(Message::Status);
@@ -159,6 +164,8 @@ Result<BoardIdentity> Device::identify(Channel &channel)
     if (!generation)
         return tl::unexpected(generation.error());
     m_generation = *generation;
+    m_isWhole = channel.observation().isPacketBased;
+    m_isHeld = false;
     BoardIdentity identity;
     identity.family = u"bcflight"_s;
     identity.firmwareNumber = int(m_generation);
@@ -211,11 +218,39 @@ Result<BoardIdentity> Device::identify(Channel &channel)
 
 Result<Status> Device::status(Channel &channel) const
 {
-    const auto reply = channel.transact(ask(Message::Status));
+    const auto reply = channel.transact(askState(Message::Status));
     if (!reply)
         return tl::unexpected(reply.error());
     const auto status = Status::decode(asBytes(reply->payload));
     return status ? Result<Status>(*status) : failure(ErrorCode::BadReply, u"STATUS"_s);
+}
+
+// Before they could be asked for they came along: up to generation B with the answer to a ping, then the
+// status with the telemetry (errata 1).
+Request Device::askState(Message id) const
+{
+    Request question = ask(id);
+    if (m_generation < findMessage(id)->askedSince)
+        question.bytes = m_generation <= Generation::B ? encode(Message::Ping, pingPayload(), m_generation)
+                                                       : encode(Message::Telemetry, {}, m_generation);
+    return question;
+}
+
+Request Device::statusQuestion() const
+{
+    Request question = askState(Message::Status);
+    question.retries = 0;
+    question.repeated = true;
+    return question;
+}
+
+Result<bool> Device::askArmed(Channel &channel)
+{
+    const auto reply = channel.transact(statusQuestion());
+    if (!reply)
+        return tl::unexpected(reply.error());
+    const auto status = Status::decode(asBytes(reply->payload));
+    return status ? Result<bool>(status->armed) : failure(ErrorCode::BadReply, u"STATUS"_s);
 }
 
 Result<void> Device::checkDisarmed(Channel &channel) const
@@ -296,18 +331,37 @@ Result<void> Device::writeGains(Channel &channel, const QByteArray &bytes)
         if (!std::isfinite(gainAt(bytes, variable)))
             return failure(ErrorCode::OutOfRange, u"a gain is no number"_s);
     }
-    if (const auto ready = checkDisarmed(channel); !ready)
-        return ready;
+    const auto isArmed = checkTunable(channel);
+    if (!isArmed)
+        return tl::unexpected(isArmed.error());
     const auto now = readGains(channel);
     if (!now)
         return tl::unexpected(now.error());
+    const auto offsets = [](const QByteArray &gains) {
+        return gains.mid(kRateGains * kSizeOfFloat, kOffsets * kSizeOfFloat);
+    };
+    if (*isArmed && offsets(*now) != offsets(bytes))
+        return failure(ErrorCode::ConditionUnmet, u"the drone is armed"_s);
     bool isOffsetSet = false;
+    bool isSet = false;
     for (int variable = 0; variable < kLiveValues; ++variable) {
         if (floatBytes(*now, variable) == floatBytes(bytes, variable)
             || (variable >= kRateGains && std::exchange(isOffsetSet, true)))
             continue;
         if (const auto set = setGain(channel, variable, bytes); !set)
             return set;
+        isSet = true;
+    }
+    if (!isSet)
+        return {};
+    // That it repeats a value does not say that it has taken it.
+    const auto after = readGains(channel);
+    if (!after)
+        return tl::unexpected(after.error());
+    for (int variable = 0; variable < kLiveValues; ++variable) {
+        if (floatBytes(*now, variable) != floatBytes(bytes, variable)
+            && floatBytes(*after, variable) != floatBytes(bytes, variable))
+            return failure(ErrorCode::NoEffect, QLatin1String(m_adjustables[std::size_t(variable)].key));
     }
     return {};
 }
@@ -338,20 +392,47 @@ Result<void> Device::writeText(Channel &channel, const QByteArray &text)
     // Over a stream it would arrive in pieces, and the drone would take those for commands (errata 2.6).
     if (!channel.observation().isPacketBased)
         return failure(ErrorCode::Unsupported, u"the configuration text is uploaded over UDP only"_s);
-    if (const auto ready = checkDisarmed(channel); !ready)
-        return ready;
+    for (int attempt = 0; attempt < kUploads; ++attempt) {
+        // Each time: somebody else may have armed it, and a drone that takes a text restarts even in flight.
+        if (const auto ready = checkDisarmed(channel); !ready)
+            return ready;
+        channel.expectSilence(kLeaves + kComesBack);
+        const auto uploaded = upload(channel, text);
+        if (!uploaded && uploaded.error().code != ErrorCode::Timeout)
+            return uploaded;
+        Progress progress;
+        progress.step = u"await-restart"_s;
+        progress.subject = u"CONFIG_FILE"_s;
+        channel.progress(progress);
+        const auto returned = goesAndReturns(channel, kLeaves, kComesBack);
+        if (!returned)
+            return tl::unexpected(returned.error());
+        if (*returned)
+            return {};
+        // Its answer may have been lost; it is told again only where it is seen to stay (errata 7.3).
+        if (uploaded)
+            return failure(ErrorCode::NoEffect, u"the drone confirmed the text, and has not restarted"_s);
+    }
+    return failure(ErrorCode::Timeout, u"the drone answers, and does not take the text"_s);
+}
+
+// The answer comes before the text is written, and the drone goes on for a while.
+Result<void> Device::upload(Channel &channel, const QByteArray &text)
+{
     Request request = ask(Message::SetConfigFile, encodeChecked(text));
     request.timeout = kTextAnswer;
-    request.idempotent = false;  // a lost answer: it may be restarting already
+    request.idempotent = false;
     request.retries = 0;
     const auto reply = channel.transact(request);
     if (!reply)
         return tl::unexpected(reply.error());
-    const int code = reply->payload.isEmpty() ? -1 : int(reply->payload.back());
-    if (code == 0)
-        return {};  // before it is written, and the drone goes on for a while
-    return tl::unexpected(
-        Error{ErrorCode::BoardError, u"the text did not arrive whole; it was not written"_s, code});
+    constexpr std::uint32_t kNotWhole = 1;
+    const std::uint32_t code = codeOf(*reply);
+    if (code == kNotWhole)
+        return failure(ErrorCode::BoardError, u"the text did not arrive whole; it was not written"_s,
+                       int(code));
+    // Any other is a damaged answer, which says no more than one that was lost.
+    return code == 0 ? Result<void>() : failure(ErrorCode::Timeout);
 }
 
 Result<void> Device::writeBlock(Channel &channel, BlockKey key, const QByteArray &bytes)
@@ -378,6 +459,17 @@ Result<std::vector<AdjustableValue>> Device::readAdjustables(Channel &channel, c
 QString Device::storeAction() const
 {
     return u"gains.store"_s;
+}
+
+std::optional<Result<Configuration>> Device::storedAs(const Configuration &inUse) const
+{
+    int changed = 0;
+    return withGains(inUse.block({0, ConfigurationText}), inUse.block({0, Gains}), changed)
+        .map([&inUse](const QByteArray &text) {
+            Configuration stored = inUse;
+            stored.setBlock({0, ConfigurationText}, text);
+            return stored;
+        });
 }
 
 Result<void> Device::checkAdjustable(const AdjustableValue &wanted) const
@@ -418,12 +510,9 @@ Result<TelemetryPlan> Device::subscribe(Channel &, const Subscription &subscript
         return failure(ErrorCode::InvalidArgument, u"a drone decides by itself what it streams"_s);
     TelemetryPlan plan;
     plan.decoder = std::make_shared<Decoder>();
-    plan.poll = ask(m_generation >= Generation::F ? Message::Status : Message::Ping,
-                    m_generation >= Generation::F ? QByteArray() : pingPayload());
-    if (m_generation >= Generation::C)
+    plan.poll = statusQuestion();
+    if (m_generation >= Generation::F)
         plan.poll->bytes += encode(Message::Telemetry, {}, m_generation);
-    plan.poll->retries = 0;
-    plan.poll->repeated = true;
     plan.pollInterval = kStatusPeriod;
     plan.rate = kNoStream;
     plan.isStreamedUnasked = true;
@@ -433,35 +522,6 @@ Result<TelemetryPlan> Device::subscribe(Channel &, const Subscription &subscript
 std::shared_ptr<TelemetryDecoder> Device::replayDecoder() const
 {
     return std::make_shared<Decoder>();
-}
-
-// Errata 9.2: disarm, stop whatever the state, and ask until it says so and its outputs stand.
-StopPlan Device::stopPlan() const
-{
-    StopPlan plan;
-    std::vector<Request> requests{order(Message::ResetMotors)};
-    if (m_generation >= Generation::F)
-        requests.insert(requests.begin(), order(Message::Controls, Controls().encode(m_generation)));
-    Request question = ask(m_generation >= Generation::F ? Message::Status : Message::Ping,
-                           m_generation >= Generation::F ? QByteArray() : pingPayload());
-    question.retries = 0;
-    question.repeated = true;
-    requests.push_back(question);
-    plan.means = {{requests, 100ms, 30}};
-    plan.fromTelemetry = [](const LatestValues &latest, TimePoint since) {
-        if (latest.latestAt(Armed) <= since || std::isnan(latest.latest(Armed)))
-            return Proof::Nothing;
-        if (latest.latest(Armed) != 0)
-            return Proof::Refuted;
-        // "Disarmed" does not mean that the motors stand (errata 9.2, 8). Where the outputs are streamed,
-        // they tell.
-        if (latest.latestAt(Outputs) == TimePoint{})
-            return Proof::Proven;
-        if (latest.latestAt(Outputs) <= since || std::isnan(latest.latest(Outputs)))
-            return Proof::Nothing;
-        return latest.latest(Outputs) == 0 ? Proof::Proven : Proof::Refuted;
-    };
-    return plan;
 }
 
 std::vector<BoardFact> Device::facts(const std::function<double(int)> &latest) const
@@ -497,6 +557,14 @@ QString Device::messageText(const FrameView &frame) const
     return frame.id == int(Message::DebugOutput) ? textOf(Frame(frame)) : QString();
 }
 
+std::vector<MotorShare> Device::motorShares(const Configuration &configuration) const
+{
+    std::vector<MotorShare> shares;
+    for (const MotorMix &mix : findMotors(configuration.block({0, ConfigurationText})))
+        shares.push_back({mix[0], mix[1], mix[2], mix[3]});
+    return shares;
+}
+
 Family family()
 {
     Family family;
@@ -505,9 +573,11 @@ Family family()
     // Whatever is sent to a drone it takes for commands: nobody else may ask there. Over TCP it says who it
     // is only when the address names the family.
     family.links = {{LinkAddress::Kind::Udp}, {LinkAddress::Kind::Tcp, false}};
+    family.usualAddress = u"udp://192.168.32.1:2020"_s;  // its access point (errata 2.1)
     family.timing.pause = 2ms;
     family.timing.heartbeatPeriod = kBeat;
     family.timing.heartbeat = [] { return encode(Message::Ping, pingPayload()); };
+    family.timing.makeProbe = [] { return std::make_unique<PingProbe>(); };
     family.timing.silenceLimit = kLost;
     family.nouns.load = "drone";
     family.nouns.flies = true;

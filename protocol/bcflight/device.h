@@ -5,14 +5,25 @@
 #include "protocol/bcflight/payloads.h"
 #include "protocol/device/abilities.h"
 #include "protocol/device/family.h"
+#include "protocol/device/flight.h"
+#include "protocol/device/motorlayout.h"
+#include "protocol/device/steering.h"
 #include "protocol/session/request.h"
+
+#include <atomic>
 
 namespace bcflight {
 
 /// A drone with BCFlight. Nothing on the wire names the generation of its protocol; where it is not the
-/// current one (F or G), the drone is looked at and nothing is changed (errata 1). No controls are ever sent,
-/// but for the one that disarms.
-class Device final : public ::Device, public LiveAccess, public FrameInspector, public StatusWords
+/// current one (F or G), the drone is looked at and nothing is changed (errata 1). Controls are sent only
+/// where what is sent arrives whole, and only while somebody steers.
+class Device final : public ::Device,
+                     public LiveAccess,
+                     public FrameInspector,
+                     public StatusWords,
+                     public Steering,
+                     public FlyingMachine,
+                     public MotorLayout
 {
 public:
     Device();
@@ -40,7 +51,25 @@ public:
     [[nodiscard]] std::span<const AdjustableSpec> adjustables() const override;
     Result<std::vector<AdjustableValue>> readAdjustables(Channel &channel, const QList<int> &ids) override;
     [[nodiscard]] QString storeAction() const override;
+    [[nodiscard]] std::optional<Result<Configuration>> storedAs(const Configuration &inUse) const override;
     [[nodiscard]] Result<void> checkAdjustable(const AdjustableValue &wanted) const override;
+
+    [[nodiscard]] const Steering *steering() const override { return *refusal() ? nullptr : this; }
+    [[nodiscard]] std::span<const SteeringMode> modes() const override;
+    [[nodiscard]] std::span<const SteeringSwitch> switches() const override;
+    /// Disarmed, throttle at zero.
+    [[nodiscard]] SteeringSetpoint holdingSetpoint(int mode, const LatestValues &latest,
+                                                   SteeredBefore steeredBefore) const override;
+    [[nodiscard]] ControlFrames controlFrames(const SteeringSetpoint &setpoint) const override;
+
+    [[nodiscard]] FlyingMachine *flight() override { return this; }
+    [[nodiscard]] const FlyingMachine *flight() const override { return this; }
+    [[nodiscard]] const char *refusal() const override;
+    [[nodiscard]] QByteArray axesKey(const Configuration &configuration) const override;
+    [[nodiscard]] const char *calibration() const override { return "calibrate.all"; }
+    Result<void> checkAtRest(Channel &channel) override { return checkDisarmed(channel); }
+    Result<bool> askArmed(Channel &channel) override;
+    void setHeld(bool held) override { m_isHeld = held; }
 
     [[nodiscard]] const FrameInspector *inspector() const override { return this; }
     [[nodiscard]] FrameText describeFrame(const FrameView &frame, bool fromBoard) const override;
@@ -58,6 +87,17 @@ public:
     [[nodiscard]] QString messageText(const FrameView &frame) const override;
     [[nodiscard]] std::optional<ConnectOffer> connectOffer() const override { return {}; }
 
+    /// What the drone tells of its board, its sensors or its cameras, as it came (errata 7.5). Errors:
+    /// Unsupported (its generation), those of the channel.
+    Result<QString> readInformation(Channel &channel, Message id);
+    /// The list of what it has recorded, as it came (errata 7.6). Errors: Unsupported (its generation), those
+    /// of decodeChecked().
+    Result<QByteArray> readRecordingsList(Channel &channel);
+
+    [[nodiscard]] const MotorLayout *motorLayout() const override { return this; }
+    /// From the rows of its text (errata 7.2). What the signs mean in the world is not established (12).
+    [[nodiscard]] std::vector<MotorShare> motorShares(const Configuration &configuration) const override;
+
 protected:
     Result<void> putAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) override;
 
@@ -69,34 +109,84 @@ private:
     [[nodiscard]] Request ask(Message id, const QByteArray &payload = {}) const;
     /// What is answered by nothing.
     [[nodiscard]] Request order(Message id, const QByteArray &payload = {}) const;
+    /// STATUS or TELEMETRY, by what brings it in this generation.
+    [[nodiscard]] Request askState(Message id) const;
     Result<Status> status(Channel &channel) const;
     /// Errors: ConditionUnmet, those of the channel.
     Result<void> checkDisarmed(Channel &channel) const;
+    /// The same; one that is just being disarmed gets the time for it, and one in a test stand may stay
+    /// armed. True if it is armed.
+    Result<bool> checkTunable(Channel &channel) const;
+    [[nodiscard]] Request statusQuestion() const;
     Result<QByteArray> readGains(Channel &channel);
     Result<void> writeGains(Channel &channel, const QByteArray &bytes);
     Result<QByteArray> readText(Channel &channel);
+    /// Uploads it and waits until the drone has restarted with it. Errors: InvalidArgument (no valid Lua),
+    /// TooMuch, Unsupported (the link cannot carry it whole), ConditionUnmet, BoardError (it did not arrive
+    /// whole), NoEffect (confirmed, and no restart), NotSeen (it has not come back), Timeout.
     Result<void> writeText(Channel &channel, const QByteArray &text);
+    Result<void> upload(Channel &channel, const QByteArray &text);
     Result<void> setGain(Channel &channel, int variable, const QByteArray &gains);
 
-    /// Waits until a drone that was told to restart has gone and come back. Errors: NotSeen.
-    Result<void> awaitReturn(Channel &channel);
+    /// Whether a drone that was told to restart has gone, within `leaves`, and come back. Errors: NotSeen (it
+    /// has gone, and not come back), those of the channel.
+    Result<bool> goesAndReturns(Channel &channel, milliseconds leaves, milliseconds comesBack);
+    /// Waits until a drone that was told to restart has gone, within `leaves`, and come back. Errors:
+    /// NotSeen.
+    Result<void> awaitReturn(Channel &channel, milliseconds leaves, milliseconds comesBack);
+
+    // firmware.cpp
+    /// Errors: BadFile, Unsupported (not over this link), ConditionUnmet, BoardError (the drone did not take
+    /// a piece: stopped at once), Timeout, Cancelled; of all but the first three the detail says what is left
+    /// behind. NotSeen: it did not restart, or has not come back.
+    Result<ActionReply> uploadFirmware(Channel &channel, const QString &path);
+    Result<void> sendPieces(Channel &channel, const QByteArray &image);
+    Result<void> replaceProgram(Channel &channel, std::uint32_t crc);
+    Result<QString> firmwareVersion(Channel &channel);
 
     // actions.cpp
+    /// Whether the drone was seen not to be calibrated, or at it, since it was told.
+    /// The number that an answer consists of; the largest one where it has none.
+    [[nodiscard]] static std::uint32_t codeOf(const Frame &frame);
+    Result<bool> beginCalibration(Channel &channel, bool isFull);
     Result<ActionReply> calibrate(Channel &channel, bool isFull);
     Result<ActionReply> storeGains(Channel &channel);
+    /// The text with these gains, one literal each. Errors: those of findGains() and findScales().
+    [[nodiscard]] static Result<QByteArray> withGains(const QByteArray &text, const QByteArray &gains,
+                                                      int &changed);
     Result<ActionReply> stopMotors(Channel &channel);
     Result<ActionReply> testMotor(Channel &channel, int motor);
     Result<ActionReply> calibrateEscs(Channel &channel);
-    Result<ActionReply> transmitter(Channel &channel, const Request &request) const;
+    Result<ActionReply> transmitter(Channel &channel) const;
+    Result<ActionReply> setTransmitter(Channel &channel, Message id, int wanted) const;
     Result<ActionReply> tellStatus(Channel &channel);
     Result<ActionReply> tellInfo(Channel &channel, Message id);
     Result<ActionReply> tellRecordings(Channel &channel);
+
+    // cameraactions.cpp
+    Result<ActionReply> performCamera(Channel &channel, const QString &key, const QVariantMap &arguments);
+    Result<ActionReply> switchCamera(Channel &channel, Message id, const QString &figure);
     Result<ActionReply> tellCamera(Channel &channel);
-    /// Sends what makes it deaf, sends nothing meanwhile, and waits until it hears again.
-    Result<ActionReply> waitDeaf(Channel &channel, const Request &request, milliseconds deaf,
-                                 const QString &step);
+    Result<ActionReply> tellLens(Channel &channel);
+    Result<ActionReply> setLens(Channel &channel, const QVariantMap &arguments);
+
+    /// One of the times of a command during which nothing is heard.
+    struct DeafPhase
+    {
+        const char *step = "";
+        milliseconds time{};
+    };
+    /// Sends what makes it deaf, sends nothing meanwhile, and waits until it hears again, cancelled or not.
+    /// Progress counts in tenths of a second; `figures` come along. Errors: Cancelled (afterwards), NotSeen
+    /// (it does not answer any more).
+    Result<ActionReply> beDeaf(Channel &channel, const Request &request, std::span<const DeafPhase> phases,
+                               const QMap<QString, double> &figures);
+    Result<void> waitDeaf(Channel &channel, const Request &request, std::span<const DeafPhase> phases,
+                          QMap<QString, double> figures);
 
     Generation m_generation = Generation::Unknown;
+    bool m_isWhole = false;  // what is sent arrives in one piece
+    std::atomic<bool> m_isHeld = false;
     BoardIdentity m_identity;
     std::shared_ptr<const ParameterSet> m_parameters;
     std::vector<QByteArray> m_adjustableKeys;

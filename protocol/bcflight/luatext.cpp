@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/bcflight/luatext.h"
 
+#include "protocol/bcflight/blocks.h"
+
 #include <QRegularExpression>
 #include <QStringList>
 
@@ -130,15 +132,30 @@ QString lines(const QByteArray &text, const std::vector<qsizetype> &places)
     return numbers.join(u", "_s);
 }
 
-Error notFound(const QString &name)
+// The operator mends it there.
+Error textError(const QString &detail, int line)
 {
-    return {ErrorCode::ConditionUnmet, u"%1 is not set in the text"_s.arg(name), 0};
+    Error error{ErrorCode::ConditionUnmet, detail, 0};
+    error.place = TextPlace{ConfigurationText, line};
+    return error;
 }
 
+Error notFound(const QString &name)
+{
+    return textError(u"%1 is not set in the text"_s.arg(name), 0);
+}
+
+// The second one is what is too much.
 Error ambiguous(const QByteArray &text, const QString &name, const std::vector<qsizetype> &places)
 {
-    return {ErrorCode::ConditionUnmet,
-            u"%1 is set more than once, in lines %2"_s.arg(name, lines(text, places)), 0};
+    return textError(u"%1 is set more than once, in lines %2"_s.arg(name, lines(text, places)),
+                     lineAt(text, places[1]));
+}
+
+Error unlike(const QByteArray &text, const QString &name, qsizetype place, const QString &wanted)
+{
+    const int line = lineAt(text, place);
+    return textError(u"line %1: %2 is no %3"_s.arg(QString::number(line), name, wanted), line);
 }
 
 // The end of a statement, or of an entry of a table.
@@ -200,10 +217,7 @@ Result<GainLiterals> findGains(const QByteArray &text, const QString &name)
             gains[i] = *literal;
     }
     if (!isPlain)
-        return failure(
-            ErrorCode::ConditionUnmet,
-            u"line %1: %2 is no PID( ... ) of three plain numbers"_s.arg(lineAt(text, places.front()))
-                .arg(name));
+        return tl::unexpected(unlike(text, name, places.front(), u"PID( ... ) of three plain numbers"_s));
     return gains;
 }
 
@@ -220,16 +234,12 @@ Result<double> findScale(const QByteArray &text, const QString &name)
     for (bool isMore = true; isMore; isMore = take(code, at, '*')) {
         const auto factor = takeNumber(code, at);
         if (!factor)
-            return failure(
-                ErrorCode::ConditionUnmet,
-                u"line %1: %2 is no product of plain numbers"_s.arg(lineAt(text, places.front())).arg(name));
+            break;
         product *= factor->value;
         if (endsThere(code, at))
             return product;
     }
-    return failure(
-        ErrorCode::ConditionUnmet,
-        u"line %1: %2 is no product of plain numbers"_s.arg(lineAt(text, places.front())).arg(name));
+    return tl::unexpected(unlike(text, name, places.front(), u"product of plain numbers"_s));
 }
 
 Result<std::array<double, 3>> findScales(const QByteArray &text)
@@ -243,6 +253,34 @@ Result<std::array<double, 3>> findScales(const QByteArray &text)
         scales[i] = *scale;
     }
     return scales;
+}
+
+// Single precision may come in at each step, or at the end.
+static int waysToReach(double value, double scale, float gain)
+{
+    return int(float(value) * float(scale) == gain) + int(float(double(float(value)) * scale) == gain)
+        + int(float(value * scale) == gain);
+}
+
+static double shortestFor(float gain, double scale, int ways)
+{
+    const double exact = double(gain) / scale;
+    for (int digits = 3; digits < 17; ++digits) {
+        const double value = QByteArray::number(exact, 'g', digits).toDouble();
+        if (waysToReach(value, scale, gain) >= ways)
+            return value;
+    }
+    return exact;
+}
+
+double literalFor(float gain, double scale)
+{
+    return shortestFor(gain, scale, 3);
+}
+
+double figureFor(float gain, double scale)
+{
+    return shortestFor(gain, scale, 1);
 }
 
 QByteArray replaced(const QByteArray &text, const Literal &literal, double value)

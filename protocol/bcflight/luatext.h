@@ -25,7 +25,7 @@ struct Literal
 using GainLiterals = std::array<Literal, 3>;
 
 /// Finds a name's three gains. Errors: ConditionUnmet (not there outside comments and strings, or more than
-/// once, or something else than three plain numbers; the detail has the lines).
+/// once, or something else than three plain numbers; the detail has the lines, the place the one to mend).
 [[nodiscard]] Result<GainLiterals> findGains(const QByteArray &text, const QString &name);
 
 /// Value of `name = a * b ...`, a number or a product of numbers; 1 where the name is not set. Errors:
@@ -34,6 +34,12 @@ using GainLiterals = std::array<Literal, 3>;
 
 /// The three scales of gains: PID.pscale, .iscale, .dscale.
 [[nodiscard]] Result<std::array<double, 3>> findScales(const QByteArray &text);
+
+/// The number of which the drone makes this gain by its scale: as short as it can be, also where the drone
+/// computes in single precision at each step. @param scale not 0
+[[nodiscard]] double literalFor(float gain, double scale);
+/// The same for the screen: the shortest of which it can have made this gain.
+[[nodiscard]] double figureFor(float gain, double scale);
 
 /// The text with another number there; all else stays byte for byte. As short as it reads back the same in
 /// single precision, which is what the drone computes with.

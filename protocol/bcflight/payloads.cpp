@@ -253,6 +253,17 @@ QByteArray Telemetry::encode() const
         .take();
 }
 
+std::vector<float> outputsIn(Bytes payload)
+{
+    const auto fields = decodeFields(*findMessage(Message::MotorsSpeed)->fromDrone, payload);
+    return fields.empty() ? std::vector<float>() : fields.front().numbers;
+}
+
+bool areDriven(const std::vector<float> &outputs)
+{
+    return std::any_of(outputs.begin(), outputs.end(), [](float output) { return output > 0; });
+}
+
 QByteArray encodeChecked(QByteArrayView text)
 {
     return bigU32(crc32c(asBytes(text))) + text.toByteArray() + '\0';

@@ -78,6 +78,11 @@ struct Telemetry
     [[nodiscard]] QByteArray encode() const;
 };
 
+/// What MOTORS_SPEED tells of each motor: shares of full output, nominal 0 to 1 (errata 6.3). Empty: damaged.
+[[nodiscard]] std::vector<float> outputsIn(Bytes payload);
+/// Whether any of them turns.
+[[nodiscard]] bool areDriven(const std::vector<float> &outputs);
+
 /// A text with its CRC in front (errata 7.3, 7.6).
 [[nodiscard]] QByteArray encodeChecked(QByteArrayView text);
 /// The text. Errors: Damaged.

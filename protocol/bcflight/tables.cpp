@@ -2,11 +2,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/bcflight/tables.h"
 
+#include "protocol/bcflight/luacheck.h"
+#include "protocol/bcflight/luatext.h"
 #include "protocol/bcflight/messages.h"
+#include "protocol/configuration/configuration.h"
 
 namespace bcflight {
 
 namespace {
+
+// What is in use is the number of the text times its scale (errata 7.2).
+std::optional<double> gainInText(const Configuration &configuration, const ParameterSpec &spec, double raw)
+{
+    const QByteArray text = configuration.block({0, ConfigurationText});
+    if (text.isEmpty())
+        return {};
+    const auto scales = findScales(text);
+    const double scale = scales ? (*scales)[std::size_t(spec.adjustable % 3)] : 0;
+    return scale != 0 ? std::optional(figureFor(float(raw), scale)) : std::nullopt;
+}
 
 // clang-format off
 constexpr const char *kRateGroup = "Rate controller";
@@ -15,15 +29,15 @@ constexpr const char *kHorizonGroup = "Horizon";
 // The drone accepts gains of either sign up to 1 (errata 7.2). A negative one turns each correction into its opposite, so none can be
 // entered here; one that the drone holds is shown and kept.
 constexpr ParameterRow kParameters[] = {
-    {.key = "pid.%a.p", .label = "P", .group = kRateGroup, .help = "How hard the motors work against an error of the rate. In the drone's own numbers: the value of the configuration times its scale.",
+    {.key = "pid.%a.p", .label = "P", .group = kRateGroup, .help = "How hard the motors work against an error of the rate. In the drone's own numbers: the value of the configuration text times its scale.",
      .block = Gains, .offset = 0, .wire = WireType::F32, .order = ByteOrder::Big, .axes = 3, .axisStride = 12, .min = 0, .max = 1, .decimals = 8,
-     .level = ViewLevel::Basic, .scope = Scope::Board, .risk = Risk::Red, .adjustable = 0, .adjustableStride = 3},
+     .level = ViewLevel::Basic, .scope = Scope::Board, .risk = Risk::Red, .adjustable = 0, .adjustableStride = 3, .textFigure = gainInText},
     {.key = "pid.%a.i", .label = "I", .group = kRateGroup, .help = "How hard they work against an error that stays. In the drone's own numbers.",
      .block = Gains, .offset = 4, .wire = WireType::F32, .order = ByteOrder::Big, .axes = 3, .axisStride = 12, .min = 0, .max = 1, .decimals = 8,
-     .level = ViewLevel::Basic, .scope = Scope::Board, .risk = Risk::Red, .adjustable = 1, .adjustableStride = 3},
+     .level = ViewLevel::Basic, .scope = Scope::Board, .risk = Risk::Red, .adjustable = 1, .adjustableStride = 3, .textFigure = gainInText},
     {.key = "pid.%a.d", .label = "D", .group = kRateGroup, .help = "How hard they work against a change of the rate. In the drone's own numbers.",
      .block = Gains, .offset = 8, .wire = WireType::F32, .order = ByteOrder::Big, .axes = 3, .axisStride = 12, .min = 0, .max = 1, .decimals = 8,
-     .level = ViewLevel::Basic, .scope = Scope::Board, .risk = Risk::Red, .adjustable = 2, .adjustableStride = 3},
+     .level = ViewLevel::Basic, .scope = Scope::Board, .risk = Risk::Red, .adjustable = 2, .adjustableStride = 3, .textFigure = gainInText},
     {.key = "horizon.%a.offset", .label = "Offset", .group = kHorizonGroup, .help = "What the drone takes for level is turned by this. It forgets it when it restarts.",
      .block = Gains, .offset = 4 * kRateGains, .wire = WireType::F32, .order = ByteOrder::Big, .axes = 2, .axisStride = 4, .unit = "°", .min = -45, .max = 45, .decimals = 2,
      .level = ViewLevel::Basic, .scope = Scope::Board, .risk = Risk::Red, .adjustable = kRateGains, .adjustableStride = 1},
@@ -40,7 +54,7 @@ static_assert(coversBlock<kGainsSize>(kParameters, Gains, {}));
 constexpr BlockSpec kBlocks[] = {
     {.id = Gains, .name = "GAINS", .size = kGainsSize, .effect = WriteEffect::Volatile},
     {.id = ConfigurationText, .name = "CONFIG_FILE", .data = "Configuration text", .maxSize = kLargestText, .kind = DataKind::Text, .language = "lua",
-     .effect = WriteEffect::Restarts, .restartTime = 20s},
+     .effect = WriteEffect::Restarts, .restartTime = 30s, .check = findMistake},
 };
 
 constexpr ChannelSpec kChannels[] = {
@@ -74,36 +88,46 @@ constexpr ChannelSpec kChannels[] = {
     {"motor.7", "Motor 7", "Motors", "%", 1, Axis::None, 0, 100, "", "octocopter"},
     {"motor.8", "Motor 8", "Motors", "%", 1, Axis::None, 0, 100, "", "octocopter"},
     {"battery", "Battery", "State", "V", 2, Axis::None, 0, 30, "battery"},
-    {"battery.charge", "Charge drawn", "State", "mAh", 0, Axis::None, 0, 5000},
+    {"battery.charge", "Charge drawn", "State", "mAh", 0, Axis::None, 0, 5000, "battery.charge"},
     {"battery.current", "Current", "State", "A", 1, Axis::None, 0, 60, "current"},
-    {"battery.level", "Battery level", "State", "%", 0, Axis::None, 0, 100},
-    {"cpu.load", "Processor load", "State", "%", 0, Axis::None, 0, 100},
-    {"cpu.temperature", "Processor temperature", "State", "°C", 0, Axis::None, 0, 100},
-    {"rx.quality", "Receive quality", "Link", "%", 0, Axis::None, 0, 100},
-    {"rx.level", "Receive level", "Link", "dBm", 0, Axis::None, -120, 0},
-    {"loops", "Control loop", "State", "/s", 0, Axis::None, 0, 10000},
+    {"battery.level", "Battery level", "State", "%", 0, Axis::None, 0, 100, "battery.level"},
+    {"cpu.load", "Processor load", "State", "%", 0, Axis::None, 0, 100, "cpu.load"},
+    {"cpu.temperature", "Processor temperature", "State", "°C", 0, Axis::None, 0, 100, "cpu.temperature"},
+    {"rx.quality", "Receive quality", "Link", "%", 0, Axis::None, 0, 100, "rx.quality"},
+    {"rx.level", "Receive level", "Link", "dBm", 0, Axis::None, -120, 0, "rx.level"},
+    {"link.round_trip", "Round trip", "Link", "ms", 0, Axis::None, 0, 200},
+    {"loops", "Control loop", "State", "/s", 0, Axis::None, 0, 10000, "loops"},
     {"state", "State", "State", "", 0, Axis::None, 0, 255, "state"},
     {"armed", "Armed", "State", "", 0, Axis::None, 0, 1, "armed"},
     {"calibrated", "Calibrated", "State", "", 0, Axis::None, 0, 1, "calibrated"},
-    {"calibrating", "Calibrating", "State", "", 0, Axis::None, 0, 1},
+    {"calibrating", "Calibrating", "State", "", 0, Axis::None, 0, 1, "calibrating"},
     {"outputs", "Motors driven", "State", "", 0, Axis::None, 0, 1, "outputs"},
-    {.key = "spectrum.roll", .label = "Notch spectrum roll", .group = "Spectrum", .unit = "°/s", .decimals = 3, .axis = Axis::Roll, .max = 10, .elements = kSpectrumBins},
-    {.key = "spectrum.pitch", .label = "Notch spectrum pitch", .group = "Spectrum", .unit = "°/s", .decimals = 3, .axis = Axis::Pitch, .max = 10, .elements = kSpectrumBins},
-    {.key = "spectrum.yaw", .label = "Notch spectrum yaw", .group = "Spectrum", .unit = "°/s", .decimals = 3, .axis = Axis::Yaw, .max = 10, .elements = kSpectrumBins},
+    {.key = "spectrum.roll", .label = "Notch spectrum roll", .group = "Spectrum", .unit = "°/s", .decimals = 3, .axis = Axis::Roll, .max = 10, .role = "spectrum.roll", .elements = kSpectrumBins},
+    {.key = "spectrum.pitch", .label = "Notch spectrum pitch", .group = "Spectrum", .unit = "°/s", .decimals = 3, .axis = Axis::Pitch, .max = 10, .role = "spectrum.pitch", .elements = kSpectrumBins},
+    {.key = "spectrum.yaw", .label = "Notch spectrum yaw", .group = "Spectrum", .unit = "°/s", .decimals = 3, .axis = Axis::Yaw, .max = 10, .role = "spectrum.yaw", .elements = kSpectrumBins},
 };
 static_assert(std::size(kChannels) == ChannelCount);
 
 constexpr Choice kModes[] = {{0, "rate"}, {1, "stabilised"}};
 constexpr Choice kTransmitterBands[] = {{0, "Boscam A"}, {1, "Boscam B"}, {2, "Boscam E"}, {3, "FatShark"}, {4, "RaceBand"}};
 constexpr Choice kStepChoices[] = {{0, "brightness.up"}, {1, "brightness.down"}, {2, "contrast.up"}, {3, "contrast.down"}, {4, "saturation.up"},
-                             {5, "saturation.down"}, {6, "iso.up"}, {7, "iso.down"}};
+                             {5, "saturation.down"}, {6, "iso.up"}, {7, "iso.down"}, {8, "shutter.up"}, {9, "shutter.down"}};
 constexpr ArgumentSpec kModeChoice[] = {{.key = "mode", .label = "Mode", .kind = ArgumentKind::Choice, .choices = kModes}};
 constexpr ArgumentSpec kOn[] = {{.key = "on", .label = "On", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
-constexpr ArgumentSpec kMotorNumber[] = {{.key = "motor", .label = "Motor", .kind = ArgumentKind::Integer, .min = 1, .max = kMostMotors}};
+// How many it has the drone tells (Device::testMotor()).
+constexpr ArgumentSpec kMotorNumber[] = {{.key = "motor", .label = "Motor", .kind = ArgumentKind::Integer, .min = 1, .max = 99}};
 constexpr ArgumentSpec kChannelNumber[] = {{.key = "band", .label = "Band", .kind = ArgumentKind::Choice, .choices = kTransmitterBands},
                                            {.key = "channel", .label = "Channel", .kind = ArgumentKind::Integer, .min = 1, .max = 8}};
 constexpr ArgumentSpec kPowerNumber[] = {{.key = "power", .label = "Power", .kind = ArgumentKind::Integer, .min = 1, .max = 8}};
 constexpr ArgumentSpec kStep[] = {{.key = "step", .label = "Step", .kind = ArgumentKind::Choice, .choices = kStepChoices}};
+constexpr ArgumentSpec kFirmwareFile[] = {{.key = "file", .label = "File", .kind = ArgumentKind::Text}};
+constexpr ArgumentSpec kLens[] = {
+    {.key = "red.base", .label = "Red, base", .kind = ArgumentKind::Integer, .max = 255}, {.key = "red.radius", .label = "Red, radius", .kind = ArgumentKind::Integer, .max = 255},
+    {.key = "red.strength", .label = "Red, strength", .kind = ArgumentKind::Integer, .min = -128, .max = 127},
+    {.key = "green.base", .label = "Green, base", .kind = ArgumentKind::Integer, .max = 255}, {.key = "green.radius", .label = "Green, radius", .kind = ArgumentKind::Integer, .max = 255},
+    {.key = "green.strength", .label = "Green, strength", .kind = ArgumentKind::Integer, .min = -128, .max = 127},
+    {.key = "blue.base", .label = "Blue, base", .kind = ArgumentKind::Integer, .max = 255}, {.key = "blue.radius", .label = "Blue, radius", .kind = ArgumentKind::Integer, .max = 255},
+    {.key = "blue.strength", .label = "Blue, strength", .kind = ArgumentKind::Integer, .min = -128, .max = 127}};
 constexpr Condition kDisarmed[] = {Condition::Disarmed};
 constexpr Condition kForMotors[] = {Condition::Disarmed, Condition::Calibrated};
 constexpr ReplyUnit kUnits[] = {{"voltage", "V"}, {"charge", "mAh"}, {"current", "A"}, {"level", "%"}, {"quality", "%"}, {"load", "%"}, {"temperature", "°C"},
@@ -133,11 +157,18 @@ constexpr ActionSpec kActions[] = {
     {.key = "vtx.channel", .label = "Set channel", .help = "Band and channel.", .group = "Video transmitter", .risk = ActionRisk::Writes, .arguments = kChannelNumber, .since = kFrom, .units = kUnits},
     {.key = "vtx.power", .label = "Set power", .help = "A step of its own table, from 1.", .group = "Video transmitter", .risk = ActionRisk::Writes, .arguments = kPowerNumber, .since = kFrom, .units = kUnits},
     {.key = "camera", .label = "Camera settings", .help = "Sensitivity and shutter.", .group = "Camera", .since = kFrom},
-    {.key = "camera.step", .label = "Change the picture", .help = "By one step; what it is cannot be read.", .group = "Camera", .risk = ActionRisk::Writes, .arguments = kStep, .since = kFrom, .answered = false},
-    {.key = "camera.white_balance", .label = "Next white balance", .help = "Switches to the next one and tells which.", .group = "Camera", .risk = ActionRisk::Writes, .since = kFrom},
-    {.key = "camera.lock", .label = "Lock white balance", .help = "Keeps the present one.", .group = "Camera", .risk = ActionRisk::Writes, .since = kFrom},
-    {.key = "camera.record", .label = "Record on the drone", .help = "The drone confirms whatever it does.", .group = "Camera", .risk = ActionRisk::Writes, .arguments = kOn, .since = kFrom, .isShown = false},
+    {.key = "camera.step", .label = "Change the picture", .help = "By one step; what it is cannot be read. Today's driver does nothing for the shutter.", .group = "Camera", .arguments = kStep, .since = kFrom, .answered = false},
+    {.key = "camera.white_balance", .label = "Next white balance", .help = "Switches to the next one and tells which.", .group = "Camera", .since = kFrom},
+    {.key = "camera.lock", .label = "Lock white balance", .help = "Keeps the present one.", .group = "Camera", .since = kFrom},
+    {.key = "camera.exposure", .label = "Next exposure mode", .help = "Switches to the next one and tells which. Today's driver tells nothing.", .group = "Camera", .since = kFrom},
+    {.key = "camera.night", .label = "Night mode", .help = "Runs the drone's own script for it, if there is one. The drone repeats what it was told, which proves nothing.", .group = "Camera", .arguments = kOn, .since = kFrom, .isShown = false},
+    {.key = "camera.record", .label = "Record on the drone", .help = "The drone confirms whatever it does.", .group = "Camera", .arguments = kOn, .since = kFrom, .isShown = false},
+    {.key = "camera.picture", .label = "Take a picture on the drone", .help = "Today's driver does nothing.", .group = "Camera", .since = kFrom, .answered = false},
+    {.key = "camera.lens", .label = "Lens shading", .help = "What today's driver tells means nothing.", .group = "Camera", .since = kFrom},
+    {.key = "camera.lens.set", .label = "Set lens shading", .help = "Base and strength count in 32nds. Kept only if all six of them are other than 0. Today's driver does nothing.", .group = "Camera", .arguments = kLens, .since = kFrom, .answered = false},
     {.key = "recordings", .label = "Recordings", .help = "Names and sizes of what the drone has recorded.", .group = "Camera", .since = kFrom},
+    {.key = "firmware.upload", .label = "Upload firmware", .help = "Replaces the drone's program by a file, and restarts it. Broken off, its stream is silent until it is switched off and on.", .group = "System", .risk = ActionRisk::Destroys,
+     .arguments = kFirmwareFile, .isProcedure = true, .since = kFrom, .memory = MemoryEffect::Reloads, .needs = kDisarmed, .confirm = "The file was made for this drone, and its battery lasts"},
     {.key = "board", .label = "Board", .help = "What the drone tells of its board.", .group = "System", .since = kFrom},
     {.key = "sensors", .label = "Sensors", .help = "What the drone tells of its sensors.", .group = "System", .since = kFrom},
     {.key = "cameras", .label = "Cameras", .help = "What the drone tells of its cameras.", .group = "System", .since = kFrom},

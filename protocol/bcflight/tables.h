@@ -3,14 +3,12 @@
 // What a drone with BCFlight holds, measures and does, as tables (errata 4, 6, 7).
 #pragma once
 
+#include "protocol/bcflight/blocks.h"
 #include "protocol/configuration/parameterspec.h"
 #include "protocol/device/actionspec.h"
 #include "protocol/telemetry/channelspec.h"
 
 namespace bcflight {
-
-/// Gains are in use and not stored: the drone forgets them when it restarts. What is stored is the text.
-enum Block : std::uint8_t { Gains, ConfigurationText };
 
 /// The block of gains as this program lays it out, big-endian floats: P, I, D of roll, pitch and yaw, the
 /// horizon's offset in roll and pitch, and P, I, D of the outer controller.
@@ -44,6 +42,7 @@ enum Quantity : std::uint8_t {
     CpuCelsius,
     LinkQuality,
     LinkLevel,
+    RoundTrip,  ///< as this program has measured it with the PING before
     Loops,
     State,  ///< the bits of STATUS
     Armed,

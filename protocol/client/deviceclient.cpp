@@ -4,6 +4,7 @@
 
 #include "protocol/client/deviceclient_p.h"
 #include "protocol/device/abilities.h"
+#include "protocol/device/flight.h"
 #include "protocol/device/steering.h"
 
 #include <QLoggingCategory>
@@ -68,7 +69,15 @@ DeviceClient::Private::Private(DeviceClient &client, TransportFactory makeTransp
         session, &Session::closed, &q, [this](const Error &why) { onSessionClosed(why); },
         Qt::QueuedConnection);
     connect(session, &Session::failsafeActed, &q, &DeviceClient::failsafeActed, Qt::QueuedConnection);
-    connect(session, &Session::steeringEnded, &q, &DeviceClient::steeringEnded, Qt::QueuedConnection);
+    connect(
+        session, &Session::steeringEnded, &q,
+        [this](bool confirmed) {
+            // What flies must not go on as it was told last.
+            if (!confirmed && state == State::Connected && device->flight())
+                stopMotors();
+            emit q.steeringEnded(confirmed);
+        },
+        Qt::QueuedConnection);
     connect(
         session, &Session::motorsStoppedLate, &q, [this] { tellStopped(true); }, Qt::QueuedConnection);
     connect(
@@ -79,7 +88,6 @@ DeviceClient::Private::Private(DeviceClient &client, TransportFactory makeTransp
         },
         Qt::QueuedConnection);
     stopPatience.setSingleShot(true);
-    stopPatience.setInterval(kStopPatience);
     connect(&stopPatience, &QTimer::timeout, &q, &DeviceClient::motorsOffLate);
     ioThread.start(QThread::TimeCriticalPriority);
     workerThread.start();
@@ -367,7 +375,9 @@ void DeviceClient::Private::cancelJobs(const Error &why)
 void DeviceClient::Private::cancelMovingJobs(const Error &why)
 {
     const std::lock_guard lock(urgentMutex);
-    for (const auto &moving : std::exchange(movingJobs, {})) {
+    // They stay known until they have ended: what nobody can call back goes on moving its motors, and that is
+    // no alarm (DeviceClient::Private::startSupervision()).
+    for (const auto &moving : movingJobs) {
         if (const auto job = moving.lock())
             job->cancel(why);
     }
@@ -399,7 +409,7 @@ void DeviceClient::Private::stopMotors(const std::function<void(bool proven)> &p
         tell(false);
         return;
     }
-    back([this] { stopPatience.start(); });
+    back([this] { tellStopBegun(); });
     later([this, link = session, wanted = std::move(*wanted), tell] {
         link->stopMotors(
             wanted, [tell](const Result<void> &result) { tell(result.has_value()); },
@@ -408,6 +418,26 @@ void DeviceClient::Private::stopMotors(const std::function<void(bool proven)> &p
             });
     });
     cancelMovingJobs();
+}
+
+void DeviceClient::Private::tellStopBegun()
+{
+    const auto left = std::chrono::ceil<milliseconds>(deafUntil - Clock::now());
+    stopPatience.start(kStopPatience + std::max(left, 0ms));
+    emit q.motorsOffBegun();
+    if (left > 0ms)
+        emit q.motorsOffQueued(int(left.count()));
+}
+
+void DeviceClient::Private::setDeaf(milliseconds duration)
+{
+    deafUntil = duration > 0ms ? Clock::now() + duration : TimePoint{};
+    emit q.deafChanged();
+}
+
+TimePoint DeviceClient::deafUntil() const
+{
+    return d->deafUntil;
 }
 
 void DeviceClient::Private::tellStopped(bool isProven)
@@ -453,6 +483,8 @@ void DeviceClient::Private::setState(State next)
 {
     if (std::exchange(state, next) == next)
         return;
+    if (next != State::Connected && deafUntil != TimePoint{})
+        setDeaf(0ms);
     if (supervision && next != State::Connected)
         supervision->end();
     emit q.stateChanged(next);
@@ -463,11 +495,13 @@ std::unique_ptr<SessionChannel> DeviceClient::Private::makeChannel(std::shared_p
 {
     return std::make_unique<SessionChannel>(
         *session, std::move(job),
-        SessionChannel::Hooks{[this](const Progress &progress) {
-                                  back([this, progress] { emit q.progressChanged(progress); });
-                              },
-                              [this](bool proven) { back([this, proven] { tellStopped(proven); }); },
-                              [note = steering](const ControlFrames *wanted) { note->take(wanted); }},
+        SessionChannel::Hooks{
+            [this](const Progress &progress) {
+                back([this, progress] { emit q.progressChanged(progress); });
+            },
+            [this](bool proven) { back([this, proven] { tellStopped(proven); }); },
+            [note = steering](const ControlFrames *wanted) { note->take(wanted); },
+            [this](milliseconds duration) { back([this, duration] { setDeaf(duration); }); }},
         link);
 }
 

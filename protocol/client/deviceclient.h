@@ -101,6 +101,10 @@ public:
     /// A stop was not proven in time, and is being repeated.
     [[nodiscard]] bool isStopUnproven() const;
 
+    /// The board hears nothing until then, also no stop, because of what it was told to do; in the past: it
+    /// hears.
+    [[nodiscard]] TimePoint deafUntil() const;
+
     /// Why the link was lost last.
     [[nodiscard]] Loss loss() const;
 
@@ -124,10 +128,15 @@ signals:
     void telemetryPlanChanged();
     void telemetryFailed(const Error &error);
     void statisticsChanged();
+    /// The motors are being stopped.
+    void motorsOffBegun();
     /// The stop has been proven (or has not: it goes on being repeated, and this comes again with its proof).
     void motorsOffFinished(bool confirmed);
-    /// Nothing has proven a stop for a second; it goes on.
+    /// Nothing has proven a stop for a second, in which the board could hear it; it goes on.
     void motorsOffLate();
+    /// The board is deaf for so many more milliseconds: the stop is the first thing that it hears then.
+    void motorsOffQueued(int milliseconds);
+    void deafChanged();
     /// A stop that was not proven is no longer repeated, because motors are being started.
     void motorsOffForgone();
     /// Steering has ended: the board was seen to stand still, or boards like it cannot be seen to; or it was

@@ -58,6 +58,9 @@ struct DeviceClient::Private
     /// @param proven called on the I/O thread once it is known, beside the signals
     void stopMotors(const std::function<void(bool proven)> &proven = {});
     void tellStopped(bool isProven);
+    void tellStopBegun();
+    /// @param duration 0: it hears again
+    void setDeaf(milliseconds duration);
     void closeSession();
     void shutDown();
     std::unique_ptr<SessionChannel> makeChannel(std::shared_ptr<JobControl> control,
@@ -120,4 +123,5 @@ struct DeviceClient::Private
     Loss loss = Loss::Link;
     bool stopIsUnproven = false;  // it is being repeated
     QTimer stopPatience;
+    TimePoint deafUntil{};
 };

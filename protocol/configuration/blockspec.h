@@ -4,9 +4,12 @@
 
 #include "protocol/base/clock.h"
 
-#include <QtGlobal>
+#include <QByteArray>
 
 #include <cstdint>
+#include <optional>
+
+struct ScriptMistake;
 
 /// Effect that writing a block has on the board.
 enum class WriteEffect : std::uint8_t {
@@ -35,6 +38,9 @@ struct BlockSpec
     WriteEffect effect = WriteEffect::Permanent;
     int since = 0;  ///< first firmware that has it; an older one may lack it
     milliseconds restartTime{0};  ///< longest absence after a write that restarts; 0 = kRestartLimit
+    /// What is wrong with a text in its language; empty where it is valid, which does not prove that the
+    /// board can use it. Null: nobody can tell.
+    std::optional<ScriptMistake> (*check)(const QByteArray &text) = nullptr;
 
     /// Whether this many bytes make a whole block.
     [[nodiscard]] constexpr bool holds(qsizetype bytes) const

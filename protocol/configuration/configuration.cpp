@@ -3,6 +3,7 @@
 #include "protocol/configuration/configuration.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -143,6 +144,11 @@ Result<void> Configuration::copyRaw(const ParameterSpec &spec, int profile, cons
     if (!found)
         return failure(ErrorCode::Unsupported, spec.key);
     return {};
+}
+
+std::optional<double> Configuration::textFigure(const ParameterSpec &spec, double raw) const
+{
+    return spec.row->textFigure && std::isfinite(raw) ? spec.row->textFigure(*this, spec, raw) : std::nullopt;
 }
 
 Result<void> Configuration::checkRules(const Configuration &held) const

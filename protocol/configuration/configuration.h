@@ -100,6 +100,9 @@ public:
     /// range or not a number. Errors: Unsupported (one of them has no such block), ReadOnly.
     Result<void> copyRaw(const ParameterSpec &spec, int profile, const Configuration &from);
 
+    /// The number that stands for a raw value in a text which the board keeps (ParameterRow::textFigure).
+    [[nodiscard]] std::optional<double> textFigure(const ParameterSpec &spec, double raw) const;
+
     /// Whether its values can hold together. What contradicts itself already in `held` may stay as it is.
     /// Errors: Contradiction with both parameters.
     [[nodiscard]] Result<void> checkRules(const Configuration &held) const;

@@ -18,6 +18,9 @@
 #include <span>
 #include <vector>
 
+class Configuration;
+struct ParameterSpec;
+
 enum class WireType : std::uint8_t { U8, I8, U16, I16, U32, I32, F32 };
 enum class ByteOrder : std::uint8_t { Little, Big };
 enum class ValueKind : std::uint8_t { Number, Choice, Flags, Toggle };
@@ -139,6 +142,11 @@ struct ParameterRow
     bool state = false;  ///< reported by the board, not set by the operator
     const char *name = "";  ///< name in the family's own files; "%A" is the axis
     NoEffectWhile inactive{};
+    /// The number that stands for this value in a text which the board keeps, where that is another one.
+    /// Empty: it is not known, because the text is not there or does not tell. Null: there is none.
+    std::optional<double> (*textFigure)(const Configuration &configuration, const ParameterSpec &spec,
+                                        double raw)
+        = nullptr;
 };
 
 /// Two parameters whose values can exclude each other although each is allowed.

@@ -96,6 +96,14 @@ public:
     [[nodiscard]] virtual Result<void> checkAdjustable(const AdjustableValue &) const { return {}; }
     /// The action that stores the values in use.
     [[nodiscard]] virtual QString storeAction() const = 0;
+    /// What the board would hold once it has stored what is in use, where that rewrites a text which it
+    /// keeps; nothing where it stores values. @param inUse the board as it was read, with the values in use.
+    /// Errors: why the text cannot take them.
+    [[nodiscard]] virtual std::optional<Result<Configuration>> storedAs(const Configuration &inUse) const
+    {
+        Q_UNUSED(inUse)
+        return {};
+    }
     /// The variable behind a parameter, -1 = none: what the board can change in volatile memory, whether or
     /// not it is among adjustables(), the ones to tune with.
     [[nodiscard]] virtual int variableOf(const ParameterSpec &spec) const { return spec.adjustable; }

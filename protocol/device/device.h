@@ -14,10 +14,12 @@
 class Bearings;
 class Channel;
 class FaultWords;
+class FlyingMachine;
 class FrameInspector;
 class GainShape;
 class InnerVariables;
 class LiveAccess;
+class MotorLayout;
 class MotorSwitch;
 class NotchFilters;
 class ProfileAccess;
@@ -35,7 +37,8 @@ struct TelemetryPlan;
 
 /// What a family knows, as plain sequential code that talks to a Channel. Constant once identified, so the
 /// GUI may read the tables while the worker thread uses the rest. What every board has is a pure virtual
-/// function here; what only some have is an interface (abilities.h, steering.h), null if the board lacks it.
+/// function here; what only some have is an interface (abilities.h, motorlayout.h, steering.h), null if the
+/// board lacks it.
 class Device
 {
 public:
@@ -86,7 +89,10 @@ public:
     [[nodiscard]] virtual const InnerVariables *innerVariables() const { return nullptr; }
     [[nodiscard]] virtual const StreamControl *streamControl() const { return nullptr; }
     [[nodiscard]] virtual const Steering *steering() const { return nullptr; }
+    [[nodiscard]] virtual FlyingMachine *flight() { return nullptr; }
+    [[nodiscard]] virtual const FlyingMachine *flight() const { return nullptr; }
     [[nodiscard]] virtual const MotorSwitch *motorSwitch() const { return nullptr; }
+    [[nodiscard]] virtual const MotorLayout *motorLayout() const { return nullptr; }
     [[nodiscard]] virtual const FrameInspector *inspector() const { return nullptr; }
     [[nodiscard]] virtual const FaultWords *faultWords() const { return nullptr; }
     [[nodiscard]] virtual const Bearings *bearings() const { return nullptr; }

@@ -31,6 +31,8 @@ struct Family
     QString key;  ///< "simplebgc"
     QString name;  ///< "SimpleBGC 32-bit"
     QList<FamilyLink> links;
+    /// Where its boards usually are, for links that cannot be searched; empty: nowhere in particular.
+    QString usualAddress = {};
     LinkTiming timing;
     /// Rate and parity pairs worth trying on a serial line, most likely first.
     QList<LineSettings> lines = {};

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "protocol/base/axis.h"
+#include "protocol/base/clock.h"
 #include "protocol/base/latestvalues.h"
 #include "protocol/configuration/parameterspec.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -57,6 +59,7 @@ struct SteeringSetpoint
     int mode = 0;  ///< id of a mode
     std::vector<double> inputs;  ///< in the order of the mode's
     std::vector<int> switches;  ///< in the order of Steering::switches()
+    std::optional<TimePoint> begun{};  ///< see ControlFrames
     bool holds = false;  ///< nothing was moved since arming: no limit applies to the present position
 };
 

@@ -4,6 +4,7 @@
 
 #include "protocol/base/linkloss.h"
 #include "protocol/configuration/aftermath.h"
+#include "protocol/device/flight.h"
 #include "protocol/procedure/inuse.h"
 #include "protocol/procedure/motorsnow.h"
 #include "protocol/procedure/wholewrite.h"
@@ -210,8 +211,10 @@ Result<void> checkActiveStored(Channel &channel, Device &device, Configuration b
     return different.isEmpty() ? Result<void>() : failure(ErrorCode::NotStored, different.join(u"; "_s));
 }
 
-// Older telemetry does not show the present state.
+// Older telemetry does not show the present state; a board that has just been connected tells it within that
+// time.
 constexpr auto kFresh = 2s;
+constexpr auto kLookAgain = 50ms;
 
 std::optional<bool> freshFlag(int channel, const LatestValues *latest, TimePoint now)
 {
@@ -220,8 +223,8 @@ std::optional<bool> freshFlag(int channel, const LatestValues *latest, TimePoint
     return told ? std::optional(latest->latest(channel) != 0.0F) : std::nullopt;
 }
 
-Result<void> checkCondition(Condition condition, const Device &device, const LatestValues *latest,
-                            TimePoint now)
+Result<void> checkCondition(Channel &board, Condition condition, const Device &device,
+                            const LatestValues *latest)
 {
     struct Row
     {
@@ -235,7 +238,13 @@ Result<void> checkCondition(Condition condition, const Device &device, const Lat
         : condition == Condition::Calibrated
         ? Row{true, u"the sensors are not calibrated"_s, u"whether the sensors are calibrated"_s}
         : Row{false, u"the motors are running"_s, u"whether the motors are running"_s};
-    const std::optional<bool> is = freshFlag(channel, latest, now);
+    std::optional<bool> is = freshFlag(channel, latest, board.now());
+    for (const TimePoint begun = board.now();
+         !is && latest && channel >= 0 && board.now() - begun < kFresh;) {
+        if (const auto waited = board.sleep(kLookAgain); !waited)
+            return tl::unexpected(waited.error());
+        is = freshFlag(channel, latest, board.now());
+    }
     if (!is)
         return failure(ErrorCode::ConditionUnmet, u"nothing tells %1"_s.arg(row.unknown));
     if (*is != row.wanted)
@@ -460,7 +469,7 @@ Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QStr
         return failure(ErrorCode::Unsupported, key);
     const ActionSpec action = chosenAction(*it, arguments);
     for (const Condition condition : action.needs) {
-        if (const auto met = checkCondition(condition, device, latest, channel.now()); !met)
+        if (const auto met = checkCondition(channel, condition, device, latest); !met)
             return tl::unexpected(met.error());
     }
     return SafeAction(channel, device, action, arguments, history, live).perform();
@@ -469,6 +478,11 @@ Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QStr
 Result<bool> sendRaw(Channel &channel, Device &device, const RawCommand &command, const BoardHistory &history,
                      const LiveValues &live)
 {
+    // What flies refuses hardly anything by itself (BCFlight errata 9.1).
+    if (device.flight() && device.identity().writable && command.risk != ActionRisk::Safe) {
+        if (const auto ready = device.flight()->checkAtRest(channel); !ready)
+            return tl::unexpected(ready.error());
+    }
     if (const auto backup = backupFor(channel, device, command.risk, command.name, history, live); !backup)
         return tl::unexpected(backup.error());
     Request request;

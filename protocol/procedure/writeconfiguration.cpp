@@ -190,7 +190,10 @@ void Writer::collectBlocks()
     const int active = m_base.activeProfile();
     std::stable_partition(m_keys.begin(), m_keys.end(),
                           [active](BlockKey key) { return key.profile != active; });
-    std::stable_partition(m_keys.begin(), m_keys.end(), [this](BlockKey key) { return !restarts(key); });
+    const auto after = std::stable_partition(m_keys.begin(), m_keys.end(),
+                                             [this](BlockKey key) { return !restarts(key); });
+    if (after != m_keys.end())  // what a restart would lose follows it
+        std::stable_partition(m_keys.begin(), m_keys.end(), [this](BlockKey key) { return !isLost(key); });
 }
 
 Result<void> Writer::readBoard()
@@ -272,7 +275,8 @@ bool Writer::isKnownLive(const ParameterChange &change, double now) const
 
 QByteArray Writer::patched(BlockKey key) const
 {
-    QByteArray bytes = m_board.at(key);
+    const auto started = m_started.find(key);
+    QByteArray bytes = started == m_started.end() ? m_board.at(key) : started->second;
     for (const DataChange &change : m_data) {
         if (change.key == key)
             return change.to;
@@ -303,6 +307,8 @@ Result<void> Writer::writeBlocks()
     if (const auto written = writeBracketed(); !written)
         return written;
     if (const auto written = writeRestarting(); !written)
+        return written;
+    if (const auto written = writeLost(); !written)
         return written;
     if (m_keys.back().profile != m_base.activeProfile())
         return selectActive();
@@ -375,6 +381,27 @@ Result<void> Writer::writeRestarting()
         markBlock(key, WriteState::Unknown);
         m_written.insert(key);
         if (const auto written = put(key, patched(key)); !written)
+            return written;
+    }
+    return {};
+}
+
+// What is in use only until the board restarts, once it is back: onto what it has started with.
+Result<void> Writer::writeLost()
+{
+    const auto first
+        = std::find_if(m_keys.begin(), m_keys.end(), [this](BlockKey key) { return restarts(key); });
+    for (auto it = first; it != m_keys.end(); ++it) {
+        if (restarts(*it))
+            continue;
+        auto started = fetch(*it);
+        if (!started)
+            return tl::unexpected(started.error());
+        m_started[*it] = std::move(*started);
+        report(u"write-block"_s, *it);
+        markBlock(*it, WriteState::Unknown);
+        m_written.insert(*it);
+        if (const auto written = put(*it, patched(*it)); !written)
             return written;
     }
     return {};

@@ -93,6 +93,7 @@ Result<void> Writer::verify()
         }
     }
     m_whole.compare(m_keys, different, m_report);
+    readStarted();
     // The blocks that were not written also carry the new board-wide values.
     for (const ParameterChange &change : m_changes) {
         if (change.spec->row->scope == Scope::Board)
@@ -101,6 +102,21 @@ Result<void> Writer::verify()
     if (!different.isEmpty())
         return failure(ErrorCode::VerifyFailed, different.mid(0, 8).join(u"; "_s));
     return {};
+}
+
+// What a board has started with may be another than before, by what was written; what does not come is
+// as it was.
+void Writer::readStarted()
+{
+    const auto isRestarted
+        = std::any_of(m_keys.begin(), m_keys.end(), [this](BlockKey key) { return restarts(key); });
+    for (const BlockSpec &block : m_base.parameters().blocks()) {
+        const BlockKey key{m_base.activeProfile(), block.id};
+        if (!isRestarted || !isLost(key) || m_written.contains(key))
+            continue;
+        if (auto bytes = fetch(key))
+            m_report.onBoard.setBlock(key, std::move(*bytes));
+    }
 }
 
 void Writer::finishReport(const Error &error)

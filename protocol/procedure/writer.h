@@ -54,12 +54,14 @@ private:
     void addNamed();
     void leaveUntold();
     Result<void> writeRestarting();
+    Result<void> writeLost();
     Result<void> put(BlockKey key, const QByteArray &bytes);
     Result<QByteArray> fetch(BlockKey key);
     Result<QByteArray> fetchStored(BlockKey key);
     Result<QByteArray> fetchSettled(BlockKey key);
     [[nodiscard]] QByteArray asStored(BlockKey key, QByteArray bytes, const LiveValues &live) const;
     Result<void> verify();
+    void readStarted();
     bool rollBack();
     bool readSent();
     void readTruth(bool isBack);
@@ -91,6 +93,7 @@ private:
         return *m_base.parameters().block(key.block);
     }
     [[nodiscard]] bool restarts(BlockKey key) const { return specOf(key).effect == WriteEffect::Restarts; }
+    [[nodiscard]] bool isLost(BlockKey key) const { return specOf(key).effect == WriteEffect::Volatile; }
 
     Channel &m_channel;
     Device &m_device;
@@ -102,10 +105,12 @@ private:
     std::vector<ParameterChange> m_changes;
     std::vector<DataChange> m_data;
     std::map<BlockKey, QByteArray> m_answered;  // before anything was written
-    std::vector<BlockKey> m_keys;  // in writing order: the active profile last, then what restarts
+    // In writing order: the active profile last, then what restarts, then what that loses.
+    std::vector<BlockKey> m_keys;
     WholeWrite m_whole;  // for boards that can only store everything in use
     NamesWrite m_names;
     std::map<BlockKey, QByteArray> m_board;  // as read from the board before anything was written
+    std::map<BlockKey, QByteArray> m_started;  // what a restart loses, as it is after one
     std::set<BlockKey> m_written;
     std::optional<bool> m_ranBefore;  // its motors
     std::optional<Error> m_gone;  // what a block met that was put or fetched while the link went

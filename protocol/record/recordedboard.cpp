@@ -8,6 +8,8 @@
 
 namespace {
 
+constexpr qint64 kLatestAnswer = 30'000'000'000;  // nanoseconds
+
 /// What was heard unasked, from the beginning of the recording.
 class RecordedMailbox final : public Mailbox
 {
@@ -27,10 +29,13 @@ public:
             const RecordedPiece &piece = m_recording.pieces[m_next++];
             if (piece.kind != RecordedPiece::Kind::Received)
                 continue;
-            m_framer->feed(asBytes(piece.bytes), [&](const FrameView &frame) {
+            const FrameSink sink = [&](const FrameView &frame) {
                 if (!found && m_filter(frame))
                     found = Frame(frame);
-            });
+            };
+            m_framer->feed(asBytes(piece.bytes), sink);
+            if (m_recording.isPacketBased())
+                m_framer->packetEnded(sink);
         }
         if (!found)
             return failure(ErrorCode::Timeout);
@@ -61,7 +66,6 @@ public:
     {
         if (!request.answer)
             return Frame{};
-        const QByteArray bytes = m_answers.find(request.bytes, m_recording.begin());
         const auto framer = m_family.makeFramer();
         framer->sent(asBytes(request.bytes));
         std::optional<Result<Frame>> answer;
@@ -69,7 +73,10 @@ public:
             if (!answer)
                 answer = request.answer(frame);
         };
-        framer->feed(asBytes(bytes), sink);
+        for (const QByteArray &bytes : m_answers.find(request.bytes, m_recording.begin())) {
+            framer->feed(asBytes(bytes), sink);
+            framer->packetEnded(sink);
+        }
         framer->flush(sink);
         return answer.value_or(failure(ErrorCode::Timeout, request.name));
     }
@@ -113,22 +120,22 @@ RecordedAnswers::RecordedAnswers(const Recording &recording)
     }
 }
 
-QByteArray RecordedAnswers::find(const QByteArray &request, qint64 at) const
+QList<QByteArray> RecordedAnswers::find(const QByteArray &request, qint64 at) const
 {
     const auto found = m_requests.constFind(request);
     if (found != m_requests.constEnd()) {
         const auto isBefore = [&](std::size_t piece) { return m_recording.pieces[piece].at <= at; };
         const auto later = std::partition_point(found->begin(), found->end(), isBefore);
         for (auto each = later; each != found->begin();) {
-            if (const QByteArray answer = answerBehind(*--each); !answer.isEmpty())
+            if (const QList<QByteArray> answer = answerBehind(*--each); !answer.isEmpty())
                 return answer;
         }
         for (auto each = later; each != found->end(); ++each) {
-            if (const QByteArray answer = answerBehind(*each); !answer.isEmpty())
+            if (const QList<QByteArray> answer = answerBehind(*each); !answer.isEmpty())
                 return answer;
         }
     }
-    QByteArray answer;
+    QList<QByteArray> answer;
     bool isAsked = false;
     for (const RecordedPiece &piece : m_recording.opening) {
         if (piece.kind == RecordedPiece::Kind::Sent && !answer.isEmpty())
@@ -136,20 +143,33 @@ QByteArray RecordedAnswers::find(const QByteArray &request, qint64 at) const
         if (piece.kind == RecordedPiece::Kind::Sent)
             isAsked = piece.bytes == request;
         else if (isAsked)
-            answer += piece.bytes;
+            answer.append(piece.bytes);
     }
     return answer;
 }
 
-QByteArray RecordedAnswers::answerBehind(std::size_t request) const
+// In a network heartbeats are sent between a request and its answer, and packets say which question they
+// answer; elsewhere what follows another request is the answer to that one.
+QList<QByteArray> RecordedAnswers::answerBehind(std::size_t request) const
 {
-    QByteArray answer;
+    const bool isPacketBased = m_recording.isPacketBased();
+    QList<QByteArray> answer;
+    const RecordedPiece *packet = nullptr;
     for (std::size_t i = request + 1; i < m_recording.pieces.size(); ++i) {
+        const RecordedPiece &piece = m_recording.pieces[i];
+        const bool isNext = piece.kind == RecordedPiece::Kind::Sent && !(isPacketBased && answer.isEmpty());
+        const bool isLate = isPacketBased && piece.at - m_recording.pieces[request].at > kLatestAnswer;
         // Behind a gap stand the answers to other requests.
-        if (m_recording.pieces[i].kind == RecordedPiece::Kind::Sent || m_recording.hasGapBefore(i))
+        if (isNext || isLate || m_recording.hasGapBefore(i))
             break;
-        if (m_recording.pieces[i].kind == RecordedPiece::Kind::Reply)
-            answer += m_recording.pieces[i].bytes;
+        if (piece.kind == RecordedPiece::Kind::Received)
+            packet = &piece;
+        if (piece.kind != RecordedPiece::Kind::Reply)
+            continue;
+        const bool isWhole = isPacketBased && packet && packet->bytes.contains(piece.bytes);
+        const QByteArray &bytes = isWhole ? packet->bytes : piece.bytes;
+        if (!isWhole || answer.isEmpty() || answer.last() != bytes)  // a packet may hold two of them
+            answer.append(bytes);
     }
     return answer;
 }

@@ -8,6 +8,7 @@
 #include <QHash>
 
 /// What a recorded board answered, by the bytes that it was asked with. Keeps a reference to the recording.
+/// Where it answered in packets, they are whole: what came along with the answer is part of it.
 class RecordedAnswers
 {
 public:
@@ -15,10 +16,10 @@ public:
 
     /// The answer to the last such request before this time of the recording (nanoseconds), else to the first
     /// one after it. Where damage swallowed them all, the one that the description repeats. Empty: none.
-    [[nodiscard]] QByteArray find(const QByteArray &request, qint64 at) const;
+    [[nodiscard]] QList<QByteArray> find(const QByteArray &request, qint64 at) const;
 
 private:
-    [[nodiscard]] QByteArray answerBehind(std::size_t request) const;
+    [[nodiscard]] QList<QByteArray> answerBehind(std::size_t request) const;
 
     const Recording &m_recording;
     QHash<QByteArray, std::vector<std::size_t>> m_requests;  // what was sent -> pieces, in order of time

@@ -18,6 +18,14 @@ constexpr quint64 kPiecesAtOnce = 5000;
 constexpr qsizetype kOpeningBytes = 8 << 10;
 constexpr qsizetype kPieceCost = 64;  // bytes of memory in addition to its content
 
+// A simulated board is reached as its board says.
+bool comesInPackets(const BoardIdentity &identity, const LinkAddress &address)
+{
+    return address.kind() == LinkAddress::Kind::Udp
+        || (address.kind() == LinkAddress::Kind::Simulator
+            && identity.extra.value(u"port"_s).toString() == u"network"_s);
+}
+
 }  // namespace
 
 Recorder::Recorder(double seconds, qsizetype bytes)
@@ -146,6 +154,7 @@ QJsonObject recordingDescription(const BoardIdentity &identity, const LinkAddres
             {u"firmware"_s, identity.firmware},
             {u"serial"_s, identity.serial},
             {u"address"_s, address.toString()},
+            {u"packets"_s, comesInPackets(identity, address)},
             {u"program"_s, u"GimbalDesk " GIMBAL_VERSION ""_s},
             {u"started"_s, QDateTime::currentDateTimeUtc().toString(Qt::ISODate)}};
 }

@@ -4,6 +4,7 @@
 
 #include "protocol/base/bytes.h"
 #include "protocol/base/filefault.h"
+#include "protocol/telemetry/blackbox.h"
 
 #include <QCryptographicHash>
 #include <QJsonDocument>
@@ -290,7 +291,14 @@ Result<QJsonObject> Recording::describe(const QString &path)
 
 Result<Recording> Recording::fromBytes(const QByteArray &bytes)
 {
-    return RecordingReader(bytes).read();
+    if (bytes.startsWith(kName) || !BlackBox::isBegunBy(bytes))
+        return RecordingReader(bytes).read();
+    return BlackBox::read(bytes).map(recordingOf);
+}
+
+bool Recording::isPacketBased() const
+{
+    return description.value(u"packets"_s).toBool();
 }
 
 bool Recording::hasGapBefore(std::size_t piece) const

@@ -11,6 +11,8 @@
 
 #include <vector>
 
+class BlackBox;
+
 /// Something that passed over the link.
 struct RecordedPiece
 {
@@ -31,10 +33,11 @@ struct RecordedPiece
 /// What passed over a link, as a file: "GIMBALREC 1\n", then chunks. A chunk is "GDCK", kind (1 byte: 1
 /// description, 2 pieces), three zero bytes, length of the content (4 bytes), the first eight bytes of the
 /// SHA-1 of all that and of the content, and the content. The description is JSON (family, identity, address,
-/// when; "opening" repeats the first requests and answers, pieces in base 64, so that damage to them does not
-/// take away whose values these are). Pieces follow each other without gaps: kind (1 byte), length (4), time
-/// (8), bytes. Numbers are little-endian. A truncated file is valid up to its last complete chunk; a damaged
-/// chunk is left out, and reading goes on with the next one whose checksum is right.
+/// when, whether what came were packets; "opening" repeats the first requests and answers, pieces in base 64,
+/// so that damage to them does not take away whose values these are). Pieces follow each other without gaps:
+/// kind (1 byte), length (4), time (8), bytes. Numbers are little-endian. A truncated file is valid up to its
+/// last complete chunk; a damaged chunk is left out, and reading goes on with the next one whose checksum is
+/// right.
 struct Recording
 {
     /// A part of the file that was left out.
@@ -55,17 +58,24 @@ struct Recording
     [[nodiscard]] qint64 begin() const;
     [[nodiscard]] qint64 end() const;
 
+    /// Each piece that was received is a packet, and no frame spans two of them.
+    [[nodiscard]] bool isPacketBased() const;
     /// Whether something is missing before this piece.
     [[nodiscard]] bool hasGapBefore(std::size_t piece) const;
     /// What was left out, with the times between which it lies.
     [[nodiscard]] QList<ReplayGap> leftOut() const;
 
-    /// Reads past any damage. Errors: BadFile if it is not a recording or nothing at all can be read.
+    /// Reads past any damage; the black box of a drone (BlackBox) is a recording as well. Errors: BadFile if
+    /// it is none or nothing at all can be read.
     static Result<Recording> load(const QString &path);
     static Result<Recording> fromBytes(const QByteArray &bytes);
     /// Reads only the description, without the rest. Errors: BadFile.
     static Result<QJsonObject> describe(const QString &path);
 };
+
+/// A black box as a recording (recordedblackbox.cpp): its lines were "received" when they were written, and
+/// what names there are is answered as if it had been asked for. protocol/blackbox decodes it.
+[[nodiscard]] Recording recordingOf(const BlackBox &box);
 
 /// Pieces as a chunk holds them, to be repeated in a description.
 [[nodiscard]] QByteArray toBytes(const std::vector<RecordedPiece> &pieces);

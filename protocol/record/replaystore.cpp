@@ -44,6 +44,8 @@ std::shared_ptr<TelemetryStore> decodeTelemetry(const Recording &recording, cons
             decoder->sent(piece.bytes, *store);
         } else if (piece.kind == RecordedPiece::Kind::Received) {
             framer->feed(asBytes(piece.bytes), sink);
+            if (recording.isPacketBased())
+                framer->packetEnded(sink);
         }
     }
     return store;

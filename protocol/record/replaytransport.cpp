@@ -60,7 +60,7 @@ void ReplayTransport::write(QByteArrayView bytes)
         if (!m_open)
             return;
         emit bytesWritten(request.size());
-        if (const QByteArray answer = m_answers.find(request, m_position); !answer.isEmpty())
+        for (const QByteArray &answer : m_answers.find(request, m_position))
             emit received(answer, Clock::now());
     });
 }

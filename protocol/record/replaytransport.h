@@ -26,6 +26,7 @@ public:
     void setSpeed(double speed) override;
     void forwardTo(double seconds) override;
     [[nodiscard]] ReplayState state() const override;
+    [[nodiscard]] bool isPacketBased() const override { return m_recording.isPacketBased(); }
     [[nodiscard]] Replay *replay() override { return this; }
 
 private:

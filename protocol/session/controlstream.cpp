@@ -10,6 +10,8 @@ void ControlStream::refresh(ControlFrames frames, TimePoint now)
         end(now);
         return;
     }
+    if (frames.begun && *frames.begun <= m_barredAt)
+        return;
     if (m_state != State::Streaming)
         m_nextSend = now;
     m_state = State::Streaming;
@@ -20,6 +22,7 @@ void ControlStream::refresh(ControlFrames frames, TimePoint now)
 
 void ControlStream::end(TimePoint now)
 {
+    bar(now);
     if (m_state != State::Streaming)
         return;
     m_state = State::Stopping;
@@ -27,6 +30,15 @@ void ControlStream::end(TimePoint now)
     m_isStill = false;
     m_stoppedAt = now;
     m_nextSend = now;
+}
+
+void ControlStream::motorsStopped(TimePoint now)
+{
+    bar(now);
+    if (canProve())
+        end(now);
+    else
+        drop();
 }
 
 void ControlStream::endOther(ControlFrames frames, TimePoint now)
@@ -45,7 +57,7 @@ void ControlStream::answered(const Frame &frame)
 // A single stop is enough if there is no way to prove it.
 std::optional<bool> ControlStream::stopOutcome(TimePoint now, const LatestValues *latest) const
 {
-    if (!m_stopSent)
+    if (!m_stopSent || now - m_stoppedAt < m_frames.stopFor)
         return {};
     const bool tellsTelemetry = m_frames.stopped && latest;
     const bool isStill = m_isStill || (!tellsTelemetry && !m_frames.question)
@@ -70,7 +82,7 @@ std::optional<QByteArray> ControlStream::advance(TimePoint now, const LatestValu
     const std::optional<bool> outcome = stopOutcome(now, latest);
     if (!outcome) {
         m_stopSent = true;
-        m_nextSend = now + kReleaseDelay;
+        m_nextSend = now + (m_frames.stopFor > 0ms ? m_period : kReleaseDelay);
         return m_frames.stop;
     }
     m_outcome = outcome;

@@ -18,6 +18,12 @@ struct ControlFrames
     QByteArray setpoint;
     QByteArray stop;  ///< stand still, keep control
     QByteArray release;  ///< return control to whichever source had it before
+    /// The stop is sent at the rate of the set-points for at least this long, for boards that do not confirm
+    /// it and go on as they were told last; 0: once.
+    milliseconds stopFor{0};
+    /// When the operator began; empty: it does not matter. Once steering was ended, by whatever, frames of
+    /// what had begun before are not taken any more: only the operator begins anew.
+    std::optional<TimePoint> begun{};
     /// The board answers each frame and accepts nothing else until it has; empty: no answers.
     AnswerMatcher answer = {};
     int kind = 0;  ///< as Request::kind: whose answers could be taken for these
@@ -52,10 +58,15 @@ public:
     }
 
     void refresh(ControlFrames frames, TimePoint now);
+    /// What has begun before is not taken any more.
+    void bar(TimePoint now) { m_barredAt = now; }
     /// Ends the stream deliberately: stop now, release shortly after.
     void end(TimePoint now);
     /// Ends what another link had streamed.
     void endOther(ControlFrames frames, TimePoint now);
+    /// The motors are being stopped. Where it can be seen, the stream is ended as well: motors that run again
+    /// later would go on turning as they were steered last.
+    void motorsStopped(TimePoint now);
     /// Ends without sending anything, when the link is gone or the motors were stopped.
     void drop() { m_state = State::Inactive; }
     /// The board has answered ControlFrames::question.
@@ -101,6 +112,7 @@ private:
     TimePoint m_refreshedAt{};
     TimePoint m_nextSend{};
     TimePoint m_stoppedAt{};
+    TimePoint m_barredAt{};
     bool m_stopSent = false;
     int m_releasesLeft = 0;
     bool m_isStill = false;  // by an answer

@@ -4,6 +4,7 @@
 
 #include "protocol/base/clock.h"
 #include "protocol/session/framer.h"
+#include "protocol/session/linkprobe.h"
 
 #include <optional>
 
@@ -16,4 +17,10 @@ struct LinkStatistics
     quint64 timeouts = 0;
     double framesPerSecond = 0;
     std::optional<Duration> roundTrip;
+    std::optional<ProbedLink> quality;  ///< where the board answers heartbeats
+    /// Since the last byte, where a link ends by silence; what was announced does not count.
+    Duration silence{};
+    static constexpr auto kDegraded = 1s;
+    /// It still stands, but nothing has come for a while.
+    [[nodiscard]] bool isDegraded() const { return silence >= kDegraded; }
 };

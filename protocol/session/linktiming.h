@@ -7,6 +7,9 @@
 #include <QByteArray>
 
 #include <functional>
+#include <memory>
+
+class LinkProbe;
 
 /// Timing that a family requires on a link.
 struct LinkTiming
@@ -15,6 +18,9 @@ struct LinkTiming
     milliseconds controlPeriod{20};  ///< between two set-points of the control stream
     milliseconds heartbeatPeriod{0};  ///< 0: the board expects none
     std::function<QByteArray()> heartbeat = {};  ///< the frame to send in each period
+    /// Makes what measures the link by heartbeats that are answered; it then makes them, instead of the
+    /// function above.
+    std::function<std::unique_ptr<LinkProbe>()> makeProbe = {};
     /// Without a byte for this long the link counts as lost; 0: the link itself reports it (serial, TCP).
     milliseconds silenceLimit{0};
 };

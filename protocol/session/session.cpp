@@ -55,6 +55,8 @@ void Session::send(QByteArrayView bytes)
         return;
     m_bytesOut += static_cast<quint64>(bytes.size());
     m_framer->sent(asBytes(bytes));
+    if (m_probe)
+        m_probe->sent(asBytes(bytes), Clock::now());
     m_transport->write(bytes);
     for (FrameListener *listener : m_listeners)
         listener->bytesSent(bytes, Clock::now());
@@ -71,7 +73,10 @@ void Session::open(const LinkAddress &address, std::unique_ptr<Framer> framer, L
     m_transport = std::move(*transport);
     m_framer = std::move(framer);
     m_timing = std::move(timing);
+    const bool isLive = !m_transport->replay();
+    m_probe = isLive && m_timing.makeProbe ? m_timing.makeProbe() : nullptr;
     m_control = ControlStream(m_timing.controlPeriod);
+    m_control.bar(Clock::now());
     m_queue.setPause(m_timing.pause);
     m_bytesOut = 0;
     m_observed = {};
@@ -111,6 +116,7 @@ void Session::close(const Error &why)
     // The transport may be the caller.
     m_transport.release()->deleteLater();
     m_open = false;
+    m_stop.boardIsDeaf({});
     m_timer.stop();
     m_poll.reset();
     m_pollRunning = false;
@@ -224,11 +230,7 @@ void Session::stopMotors(StopPlan plan, StopSequence::Completion completion,
         return;
     }
     m_stop.start(std::move(plan), std::move(completion), Clock::now(), std::move(restored));
-    // Motors that run again later would go on turning as they were steered last.
-    if (m_control.canProve())
-        m_control.end(Clock::now());
-    else
-        m_control.drop();
+    m_control.motorsStopped(Clock::now());
     schedule();
 }
 
@@ -249,6 +251,7 @@ void Session::keepQuiet(milliseconds duration)
     const TimePoint until = Clock::now() + duration;
     m_nextBeat = std::max<TimePoint>(m_nextBeat, until);
     m_nextPoll = std::max<TimePoint>(m_nextPoll, until);
+    m_stop.boardIsDeaf(until);
     schedule();
 }
 
@@ -261,8 +264,13 @@ LinkStatistics Session::statistics() const
     statistics.bytesOut = m_bytesOut;
     statistics.timeouts = m_queue.timeouts();
     statistics.roundTrip = m_queue.roundTrip();
+    const TimePoint now = Clock::now();
+    if (m_probe)
+        statistics.quality = m_probe->quality(now);
+    if (m_open && m_timing.silenceLimit > 0ms)
+        statistics.silence = std::max(Duration{}, now - std::max(m_arrival, m_silentUntil));
     // Nine full slots: the current one is still filling.
-    const qint64 slot = slotOf(Clock::now());
+    const qint64 slot = slotOf(now);
     quint64 frames = 0;
     for (qint64 back = 1; back < qint64(m_rateSlots.size()); ++back) {
         if (slot - back <= m_rateSlot)
@@ -307,6 +315,8 @@ void Session::onFrame(const FrameView &frame)
         m_rateSlots[std::size_t((m_rateSlot + 1) % qint64(m_rateSlots.size()))] = 0;
     }
     ++m_rateSlots[std::size_t(slot % qint64(m_rateSlots.size()))];
+    if (m_probe)
+        m_probe->frameArrived(frame, m_arrival);
     const bool claimed = m_queue.frameArrived(frame, m_arrival);
     for (std::size_t i = 0; i < m_listeners.size(); ++i)
         m_listeners[i]->frameReceived(frame, m_arrival, claimed);
@@ -419,10 +429,10 @@ TimePoint Session::lostAt() const
 
 void Session::beat(TimePoint now)
 {
-    if (!m_open || m_timing.heartbeatPeriod <= 0ms || !m_timing.heartbeat || now < m_nextBeat)
+    if (!m_open || m_timing.heartbeatPeriod <= 0ms || !(m_probe || m_timing.heartbeat) || now < m_nextBeat)
         return;
     m_nextBeat = std::max<TimePoint>(m_nextBeat + m_timing.heartbeatPeriod, now);
-    m_queue.sendUnanswered(m_timing.heartbeat(), now);
+    m_queue.sendUnanswered(m_probe ? m_probe->beat(now) : m_timing.heartbeat(), now);
 }
 
 void Session::schedule()

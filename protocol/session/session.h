@@ -5,6 +5,7 @@
 #include "protocol/base/framelistener.h"
 #include "protocol/session/channel.h"
 #include "protocol/session/controlstream.h"
+#include "protocol/session/linkprobe.h"
 #include "protocol/session/linkstatistics.h"
 #include "protocol/session/linktiming.h"
 #include "protocol/session/stopplan.h"
@@ -71,7 +72,7 @@ public:
 
     /// The board will be silent for this long; the silence limit counts from the end of it.
     void expectSilence(milliseconds duration);
-    /// No heartbeat and no poll for this long.
+    /// No heartbeat and no poll for this long, and of a stop only what a deaf board shall hear first.
     void keepQuiet(milliseconds duration);
     [[nodiscard]] TimePoint silentUntil() const { return m_silentUntil; }
 
@@ -116,6 +117,7 @@ private:
     FrameSink m_sink;
     TransactionQueue m_queue;
     LinkTiming m_timing;
+    std::unique_ptr<LinkProbe> m_probe;
     ControlStream m_control;
     StopSequence m_stop;
     QTimer m_timer;

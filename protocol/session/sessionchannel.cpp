@@ -273,6 +273,8 @@ void SessionChannel::expectSilence(milliseconds duration)
 
 void SessionChannel::keepQuiet(milliseconds duration)
 {
+    if (m_hooks.deaf)
+        m_hooks.deaf(duration);
     QMetaObject::invokeMethod(
         &m_session, [session = &m_session, duration] { session->keepQuiet(duration); }, Qt::QueuedConnection);
 }

@@ -39,6 +39,8 @@ public:
         std::function<void(bool proven)> motorsStopped;
         /// What it steers with from now on; null when it ends.
         std::function<void(const ControlFrames *)> steered = {};
+        /// The board hears nothing for so long.
+        std::function<void(milliseconds)> deaf = {};
     };
 
     enum class Link { Open, NotYet };

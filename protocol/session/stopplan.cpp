@@ -12,6 +12,7 @@ namespace {
 constexpr auto kRepeatEvery = 1s;
 constexpr auto kRepeatPatience = 1200ms;
 constexpr auto kRepeatPatienceWithMore = 300ms;
+constexpr auto kQueueEvery = 400ms;  // to a deaf board: a packet of them may be lost
 constexpr int kMostPatience = 4;  // times that: of a board that answers later than anybody waits
 
 }  // namespace
@@ -64,13 +65,21 @@ void StopSequence::take(Proof proof)
 void StopSequence::advance(TimePoint now)
 {
     while (m_stage != Stage::Inactive && now >= m_nextSend) {
-        if (m_stage == Stage::Stopping)
+        if (isActive() && now < m_deafUntil && !m_plan.firstHeard.empty())
+            queueOnce(now);
+        else if (m_stage == Stage::Stopping)
             stopOnce(now);
         else if (m_stage == Stage::Repeating)
             repeatOnce(now);
         else
             restoreOnce(now);
     }
+}
+
+// No rounds are counted and nothing is asked: it would all be carried out in a burst.
+void StopSequence::queueOnce(TimePoint now)
+{
+    beginRound(m_plan.firstHeard, now, std::min<TimePoint>(now + kQueueEvery, m_deafUntil));
 }
 
 void StopSequence::stopOnce(TimePoint now)

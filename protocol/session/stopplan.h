@@ -35,6 +35,10 @@ struct StopPlan
     std::function<std::vector<Request>(int round)> restore;
     milliseconds restoreEvery{500};
     int maxRestoreRounds = 60;
+    /// Sent over and over to a board that is deaf for a while and carries out afterwards what has queued up
+    /// meanwhile, so that it hears this first; unanswered. The means follow once it hears. Empty: it is never
+    /// deaf.
+    std::vector<Request> firstHeard;
 };
 
 /// Carries out a stop plan. Pure bookkeeping without its own clock, like ControlStream.
@@ -60,6 +64,8 @@ public:
     void persist(std::function<void()> provenLate) { m_provenLate = std::move(provenLate); }
     /// Ends repeating a stop that was not proven in time. False if there was none.
     bool forgo();
+    /// The board hears nothing until then.
+    void boardIsDeaf(TimePoint until) { m_deafUntil = until; }
     /// Telemetry arrived.
     void telemetryArrived(const LatestValues &values);
     /// Sends what is due.
@@ -78,6 +84,7 @@ private:
     void beginRound(std::vector<Request> requests, TimePoint now, TimePoint next);
     void sendNext();
     void answered(const Frame &frame);
+    void queueOnce(TimePoint now);
     void stopOnce(TimePoint now);
     void repeatOnce(TimePoint now);
     [[nodiscard]] std::vector<Request> requestsOf(const StopPlan::Means &means) const;
@@ -99,4 +106,5 @@ private:
     TimePoint m_startedAt{};
     TimePoint m_nextSend{};
     TimePoint m_roundAt{};
+    TimePoint m_deafUntil{};
 };

@@ -20,6 +20,7 @@ enum class AlarmKind {
     Heat,
     Battery,
     Stale,  ///< no live data while it is steered
+    Disarmed,  ///< its motors are driven although it says that it is disarmed
     Count
 };
 inline constexpr std::size_t kAlarmKinds = std::size_t(AlarmKind::Count);
@@ -92,7 +93,7 @@ struct SupervisorRules
     std::array<AlarmAction, kAlarmKinds> actions{AlarmAction::MotorsOff, AlarmAction::TakeBack};
     double runawayDeg = 25.0;  ///< away from its target
     double oscillation = 4.0;  ///< deg/s RMS
-    double cellVolts = 3.4;  ///< below this the battery is low
+    double cellVolts = kLowCellVolts;  ///< below this the battery is low
     BatteryThresholds battery{};  ///< those of the board
     double hotCelsius = 70.0;
     /// Lowest and highest angle that each axis may be steered to, in degrees.

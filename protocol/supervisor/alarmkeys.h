@@ -8,4 +8,4 @@
 
 /// What kinds of alarm are called in files and on the command line, in the order of the enumeration.
 inline constexpr std::array<const char *, kAlarmKinds> kAlarmKeys{
-    "runaway", "oscillation", "limit", "saturation", "sensor", "heat", "battery", "stale"};
+    "runaway", "oscillation", "limit", "saturation", "sensor", "heat", "battery", "stale", "disarmed"};

@@ -17,6 +17,7 @@ constexpr double kCooler = 5.0;
 constexpr double kSensorsFound = 5.0;  // seconds that a board that starts may look for its sensors
 constexpr double kNotComing = 3.0;
 constexpr double kEnoughHz = 60.0;
+constexpr double kStillTurning = 0.7;  // seconds: outputs may be told later than the state
 constexpr double kSlowHz = 2.5;
 
 }  // namespace
@@ -27,6 +28,8 @@ QSet<AlarmKind> Supervisor::possible(const ChannelRoles &roles)
         return std::any_of(channels.begin(), channels.end(), [](int channel) { return channel >= 0; });
     };
     QSet<AlarmKind> kinds{AlarmKind::Stale};
+    if (roles.armed >= 0 && roles.outputs >= 0)
+        kinds.insert(AlarmKind::Disarmed);
     if (any(roles.angle))
         kinds.insert(AlarmKind::Runaway);
     if (any(roles.gyro))
@@ -96,6 +99,7 @@ std::vector<Unwatched> Supervisor::unwatched(const QSet<AlarmKind> &possible, do
                 is(comes(m_batteryAt));
             break;
         case AlarmKind::Stale:
+        case AlarmKind::Disarmed:
         case AlarmKind::Count: break;
         }
     }
@@ -156,6 +160,8 @@ void Supervisor::watchBoard(double now)
         = (m_battery > kNoBatteryVolts && m_battery < low) || !faultOf(AlarmKind::Battery).isEmpty();
     if (lasts(AlarmKind::Battery, isLow, 3.0))
         tell(AlarmKind::Battery, m_battery, low);
+    if (lasts(AlarmKind::Disarmed, !m_situation.isProcedure && m_armed == 0 && m_outputs > 0, kStillTurning))
+        tell(AlarmKind::Disarmed, 0, 0);
     if (!m_situation.isSteered)
         m_steeringSince = -1;
     else if (m_steeringSince < 0)
@@ -201,6 +207,7 @@ bool Supervisor::isOver(const Alarm &alarm, double now) const
             && !(m_battery > kNoBatteryVolts
                  && m_battery < lowBattery(m_cells, m_rules.cellVolts, m_rules.battery).value_or(0.0)
                          + m_cells * kCellRise);
+    case AlarmKind::Disarmed: return m_armed != 0 || m_outputs <= 0;
     case AlarmKind::Stale: return !m_situation.isSteered || now - lastSeen() <= patience();
     case AlarmKind::Count: break;
     }

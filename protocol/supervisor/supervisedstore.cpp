@@ -35,6 +35,7 @@ SupervisedStore::SupervisedStore(std::shared_ptr<const TelemetryStore> store,
     axes(roles.input, &SupervisedSample::input);
     axes(roles.motorTemperature, &SupervisedSample::motorTemperature);
     single(roles.outputs, &SupervisedSample::outputs);
+    single(roles.armed, &SupervisedSample::armed);
     single(roles.battery, &SupervisedSample::battery);
     single(roles.temperature, &SupervisedSample::temperature);
 }

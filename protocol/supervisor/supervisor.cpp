@@ -121,6 +121,8 @@ void Supervisor::add(const SupervisedSample &sample)
         if (m_outputs > 0 && (!was || m_drivenSince < 0))
             m_drivenSince = sample.time;
     }
+    if (isKnown(sample.armed))
+        m_armed = sample.armed;
     if (isKnown(sample.battery)) {
         m_battery = sample.battery;
         m_batteryAt = sample.time;

@@ -28,6 +28,7 @@ struct SupervisedSample
     Axes rate{kNone, kNone, kNone};
     Axes input{kNone, kNone, kNone};
     double outputs = kNone;
+    double armed = kNone;
     double battery = kNone;
     double temperature = kNone;
     Axes motorTemperature{kNone, kNone, kNone};
@@ -187,6 +188,7 @@ private:
     std::array<AxisState, kAxisCount> m_axes;
     bool m_hasTargets = false;
     double m_outputs = SupervisedSample::kNone;
+    double m_armed = SupervisedSample::kNone;
     double m_drivenSince = -1;
     double m_idleSince = -1;  // off, starting or standing by
     double m_heldSince = -1e9;  // after that

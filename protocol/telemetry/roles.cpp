@@ -34,6 +34,7 @@ ChannelRoles::ChannelRoles(ChannelTable table, const QSet<QString> &capabilities
         motorPower[i] = find("motor." + axis + ".output");
         motorTemperature[i] = find("motor." + axis + ".temperature");
         joint[i] = find("joint." + axis);
+        spectrum[i] = find("spectrum." + axis);
     }
     for (int n = 1, motor = 0; (motor = find("motor." + QByteArray::number(n) + ".output")) >= 0; ++n)
         motors.append(motor);
@@ -43,12 +44,20 @@ ChannelRoles::ChannelRoles(ChannelTable table, const QSet<QString> &capabilities
     outputs = find("outputs");
     armed = find("armed");
     calibrated = find("calibrated");
+    calibrating = find("calibrating");
     faults = find("faults");
     faultDetail = find("fault_detail");
     activeProfile = find("profile");
     cycleTime = find("cycle_time");
     busErrors = find("bus_errors");
     state = find("state");
+    charge = find("battery.charge");
+    batteryLevel = find("battery.level");
+    cpuLoad = find("cpu.load");
+    cpuTemperature = find("cpu.temperature");
+    loops = find("loops");
+    receiveQuality = find("rx.quality");
+    receiveLevel = find("rx.level");
 }
 
 QList<int> ChannelRoles::present(std::initializer_list<std::array<int, 3>> triples)

@@ -15,9 +15,14 @@
 ///   input.AXIS                              what it is steered with from outside, in any unit
 ///   motor.N.output, motor.AXIS.output       N from 1
 ///   motor.AXIS.temperature
-///   joint.AXIS                              by which the motor has turned the camera against the frame
+///   spectrum.AXIS                           of the rate, as the board computes it: an array over its loop's
+///   rate joint.AXIS                              by which the motor has turned the camera against the frame
 ///   battery, current, temperature, cycle_time, bus_errors
+///   battery.charge, battery.level           drawn so far; what the board says is left, in %
+///   cpu.load, cpu.temperature, loops        of its processor; rounds of its control loop per second
+///   rx.quality, rx.level                    how it receives this computer: %, dBm
 ///   armed, calibrated, outputs              three different things: ready to fly, level known, motors driven
+///   calibrating                             it measures its sensors right now
 ///   faults, fault_detail, profile, state    see the device's FaultWords and StatusWords
 class ChannelRoles
 {
@@ -36,6 +41,7 @@ public:
     std::array<int, 3> motorPower{-1, -1, -1};  ///< of the motor that turns that axis
     std::array<int, 3> motorTemperature{-1, -1, -1};
     std::array<int, 3> joint{-1, -1, -1};
+    std::array<int, 3> spectrum{-1, -1, -1};
     QList<int> motors;  ///< outputs of numbered motors, in order
     int battery = -1;
     int temperature = -1;
@@ -43,12 +49,20 @@ public:
     int outputs = -1;  ///< not 0: the motors are driven
     int armed = -1;
     int calibrated = -1;
+    int calibrating = -1;
     int faults = -1;
     int faultDetail = -1;
     int activeProfile = -1;
     int cycleTime = -1;
     int busErrors = -1;
     int state = -1;
+    int charge = -1;
+    int batteryLevel = -1;
+    int cpuLoad = -1;
+    int cpuTemperature = -1;
+    int loops = -1;
+    int receiveQuality = -1;
+    int receiveLevel = -1;
 
     /// Those of the given channels that exist.
     [[nodiscard]] static QList<int> present(std::initializer_list<std::array<int, 3>> triples);

@@ -128,6 +128,7 @@ TelemetryStore::TelemetryStore(int channelCount, TimePoint origin)
     : m_origin(origin)
     , m_latest(static_cast<std::size_t>(channelCount))
     , m_latestAt(static_cast<std::size_t>(channelCount))
+    , m_invalid(static_cast<std::size_t>(channelCount))
 {
     for (auto &value : m_latest)
         value.store(std::numeric_limits<float>::quiet_NaN(), std::memory_order_relaxed);

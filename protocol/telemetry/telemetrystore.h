@@ -150,6 +150,15 @@ public:
     [[nodiscard]] quint64 rows() const { return m_rows.load(std::memory_order_relaxed); }
     [[nodiscard]] quint64 lost() const { return m_lost.load(std::memory_order_relaxed); }
     void countLost(quint64 rows) { m_lost.fetch_add(rows, std::memory_order_relaxed); }
+    /// A value that came and is none: not a number, beyond anything that can be measured. It is a gap.
+    void countInvalid(int channel)
+    {
+        m_invalid[std::size_t(channel)].fetch_add(1, std::memory_order_relaxed);
+    }
+    [[nodiscard]] quint64 invalid(int channel) const
+    {
+        return m_invalid[std::size_t(channel)].load(std::memory_order_relaxed);
+    }
     /// A sample came at this time that is new by the board's own clock, whatever its values are.
     void noteStamp(TimePoint at)
     {
@@ -188,6 +197,7 @@ private:
     std::atomic<double> m_retention = 600.0;
     std::vector<std::atomic<float>> m_latest;
     std::vector<std::atomic<Duration::rep>> m_latestAt;  // ticks of the clock
+    std::vector<std::atomic<quint64>> m_invalid;
     std::atomic<int> m_generation = 0;
     std::atomic<quint64> m_rows = 0;
     std::atomic<quint64> m_lost = 0;

@@ -17,7 +17,8 @@ int main(int argc, char **argv)
     QCommandLineParser parser;
     const QCommandLineOption seconds(u"seconds"_s, u"length of the end-to-end run"_s, u"n"_s, u"60"_s);
     const QCommandLineOption only(
-        u"only"_s, u"framing, plots, paced, link, store, import, spectra, reading, start, end-to-end"_s,
+        u"only"_s,
+        u"framing, plots, paced, link, store, import, spectra, reading, start, video, stop, end-to-end"_s,
         u"case"_s);
     const QCommandLineOption rows(u"rows"_s, u"print the rows as plain data"_s);
     parser.addOptions({seconds, only, rows});
@@ -36,6 +37,8 @@ int main(int argc, char **argv)
         {u"spectra"_s, [&] { benchSpectra(report); }},
         {u"reading"_s, [&] { benchReading(report); }},
         {u"start"_s, [&] { benchStart(report); }},
+        {u"video"_s, [&] { benchVideo(report); }},
+        {u"stop"_s, [&] { benchStop(report); }},
         {u"end-to-end"_s, [&] { benchEndToEnd(report, length); }},
     };
     const QStringList wanted = parser.values(only);

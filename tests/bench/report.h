@@ -70,5 +70,8 @@ void benchImport(Report &report);
 void benchSpectra(Report &report);
 void benchReading(Report &report);
 void benchStart(Report &report);
+void benchVideo(Report &report);
+/// From the red button to the wire, while the window has much to do.
+void benchStop(Report &report);
 /// The whole way from a simulated board through a pseudo-terminal to the screen.
 void benchEndToEnd(Report &report, int seconds);

@@ -1,24 +1,38 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bars.h"
+#include "app/mainwindow/messagebar.h"
 #include "app/mainwindow/navigation.h"
 #include "app/pages/board/actionspage.h"
+#include "app/pages/board/flightpage.h"
 #include "app/pages/setup/documentspage.h"
 #include "app/pages/setup/parameterspage.h"
+#include "app/pages/tune/spectrumpage.h"
+#include "app/pages/tune/tuningpage.h"
 #include "app/pages/watch/dashboardpage.h"
 #include "app/pages/watch/monitorpage.h"
+#include "app/workspace/flightstate.h"
 #include "protocol/bcflight/tables.h"
 #include "protocol/configuration/writereport.h"
 #include "protocol/device/device.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
+#include "widgets/models/errortext.h"
+#include "widgets/theme/theme.h"
+#include "widgets/views/armedstate.h"
+#include "widgets/views/attitudeview.h"
+#include "widgets/views/batteryview.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QTableView>
+#include <QTextBrowser>
+#include <QTreeWidget>
 
 using namespace Qt::StringLiterals;
 
@@ -33,6 +47,16 @@ private slots:
     void gainsAreSetAndTold();
     void liveDataCome();
     void consoleLeavesHeartbeatsOut();
+    void slidersSpanWhatIsNear();
+    void itsOwnSpectrumStandsBeside();
+    void itsUsualAddressIsOffered();
+    void limitsOfTheBoardBeforeAreGone();
+    void noAttitudeBeforeACalibration();
+    void whatItLacksIsAClickAway();
+    void messagesLeaveItsStateInSight();
+    void anotherIsConnectedAfterOneWasLost();
+    void weakLinkIsNotShownAsGood();
+    void repliesAreInWords();
 
 private:
     MainWindow &window() { return m_rig->window(); }
@@ -43,7 +67,7 @@ void TestBcflightWindow::init()
 {
     static int seed = 300;
     m_rig = std::make_unique<WindowRig>();
-    QVERIFY(m_rig->open(u"sim:bcflight?seed=%1"_s.arg(++seed)));
+    QVERIFY(m_rig->open(u"sim:bcflight?notch=1&seed=%1"_s.arg(++seed)));
 }
 
 void TestBcflightWindow::pagesAreListedOrFillThemselves()
@@ -108,6 +132,173 @@ void TestBcflightWindow::consoleLeavesHeartbeatsOut()
     const auto told = m_rig->workspace().perform(u"vtx"_s, {});
     QTRY_VERIFY(told.isFinished() && names().contains(u"VTX_GET_SETTINGS"_s));
     QCOMPARE(names().count(u"PING"_s), pings);
+}
+
+// Up to 1 is accepted, and a gain is a thousandth of that: a key moves it by a part of itself.
+void TestBcflightWindow::slidersSpanWhatIsNear()
+{
+    auto *page = m_rig->page<TuningPage>();
+    QVERIFY(page);
+    LiveModel &live = m_rig->workspace().live();
+    for (const char *key : {"pid.roll.p", "pid.roll.i", "pid.roll.d"}) {
+        const int gain = m_rig->spec(QLatin1String(key)).id;
+        QTRY_VERIFY_WITH_TIMEOUT(live.value(gain).has_value(), kPatience);
+        const double before = *live.value(gain);
+        auto *slider = page->findChild<QSlider *>(QLatin1String(key));
+        QVERIFY(slider);
+        QTRY_VERIFY_WITH_TIMEOUT(slider->isEnabled(), kPatience);
+        QTest::keyClick(slider, Qt::Key_Right);
+        QTRY_VERIFY_WITH_TIMEOUT(live.isSettled() && *live.value(gain) > before, kPatience);
+        QVERIFY2(*live.value(gain) < before * 1.2, qPrintable(QString::number(*live.value(gain) / before)));
+    }
+}
+
+void TestBcflightWindow::itsOwnSpectrumStandsBeside()
+{
+    auto *page = m_rig->page<SpectrumPage>();
+    QVERIFY(page);
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->workspace().latest(m_rig->client().roles().armed) == 0, kPatience);
+    m_rig->workspace().perform(u"calibrate.all"_s, {});
+    const auto own = [page] {
+        int count = 0;
+        for (const ChartCurve &curve : page->chart()->curves())
+            count += curve.name.contains(u"from the board"_s) && !curve.points.isEmpty() ? 1 : 0;
+        return count;
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(own(), 3, kPatience);
+}
+
+void TestBcflightWindow::itsUsualAddressIsOffered()
+{
+    bool isOffered = false;
+    for (const QComboBox *box : window().findChildren<QComboBox *>())
+        isOffered |= box->findData(u"udp://192.168.32.1:2020"_s) >= 0;
+    QVERIFY(isOffered);
+}
+
+void TestBcflightWindow::limitsOfTheBoardBeforeAreGone()
+{
+    const auto *battery = m_rig->page<DashboardPage>()->findChild<BatteryView *>();
+    QVERIFY(battery);
+    const auto change = [this](const QString &address) {
+        m_rig->client().disconnectFromBoard();
+        return QTest::qWaitFor([this] { return !m_rig->client().isConnected(); }, kPatience)
+            && m_rig->open(address);
+    };
+    QVERIFY(change(u"sim:simplebgc"_s));
+    const auto hasEnd = [battery] { return battery->accessibleDescription().contains(u"off below"_s); };
+    QTRY_VERIFY_WITH_TIMEOUT(hasEnd(), kPatience);
+    QVERIFY(change(u"sim:bcflight?seed=399"_s));
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->workspace().roles().armed >= 0 && !hasEnd(), kPatience);
+}
+
+// Dashboard and flight page say the same of it.
+void TestBcflightWindow::noAttitudeBeforeACalibration()
+{
+    FlightPage &page = *m_rig->page<FlightPage>();
+    QTRY_COMPARE_WITH_TIMEOUT(flightState(m_rig->workspace()), ArmedState::State::NotCalibrated, kPatience);
+    QVERIFY(m_rig->boardGoesOn(0.5));
+    const auto *view = page.findChild<AttitudeView *>();
+    QVERIFY(view);
+    QCOMPARE(view->accessibleDescription(), u"No data"_s);
+    QVERIFY(std::isnan(flightAngle(m_rig->workspace(), 0)));
+}
+
+// What has to be done first is named where it is lacking, with the way there.
+void TestBcflightWindow::whatItLacksIsAClickAway()
+{
+    for (const QString &key : {u"flight"_s, u"bench"_s, u"dashboard"_s}) {
+        QVERIFY(window().showPage(key));
+        QPushButton *button = nullptr;
+        for (QPushButton *each : window().page(key)->findChildren<QPushButton *>())
+            button = each->text() == u"Calibrate (Actions)…"_s ? each : button;
+        QVERIFY(button);
+        QTRY_VERIFY(button->isVisible());
+        QTest::mouseClick(button, Qt::LeftButton);
+        auto *actions = static_cast<ActionsPage *>(window().page(u"actions"_s));
+        QVERIFY(actions->isVisible());
+        QCOMPARE(actions->list()->currentItem()->data(0, Qt::UserRole).toString(), u"calibrate.all"_s);
+    }
+    const auto calibrated = m_rig->workspace().perform(u"calibrate.all"_s, {});
+    QTRY_VERIFY(calibrated.isFinished());
+    for (const QString &key : {u"flight"_s, u"bench"_s}) {
+        QVERIFY(window().showPage(key));
+        for (const QPushButton *each : window().page(key)->findChildren<QPushButton *>())
+            QTRY_VERIFY(!each->isVisible() || each->text() != u"Calibrate (Actions)…"_s);
+    }
+}
+
+void TestBcflightWindow::messagesLeaveItsStateInSight()
+{
+    for (const QString &key : {u"flight"_s, u"bench"_s, u"dashboard"_s}) {
+        QVERIFY(window().showPage(key));
+        const auto *state = window().page(key)->findChild<ArmedState *>();
+        QVERIFY2(state, qPrintable(key));
+        QTRY_VERIFY(state->isVisible());
+        window().messageBar()->showNotice(u"One that stands for a while."_s, Notice::Attention);
+        QTRY_VERIFY(window().messageBar()->isVisible());
+        const auto placeOf = [this](const QWidget &widget) {
+            return QRect(widget.mapTo(&window(), QPoint()), widget.size());
+        };
+        QVERIFY2(!placeOf(*window().messageBar()).intersects(placeOf(*state)), qPrintable(key));
+        QTest::keyClick(&window(), Qt::Key_F6, Qt::ControlModifier);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+        QTRY_VERIFY(!window().messageBar()->isVisible());
+    }
+}
+
+// One that does not come back keeps nobody from the next.
+void TestBcflightWindow::anotherIsConnectedAfterOneWasLost()
+{
+    m_rig->workspace().changeWorld(u"replug=-1"_s);
+    m_rig->workspace().changeWorld(u"unplug=0"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Reconnecting, kPatience);
+    m_rig->client().disconnectFromBoard();
+    QVERIFY(m_rig->open(u"sim:bcflight?seed=900"_s));
+    m_rig->workspace().changeWorld(u"replug=-1"_s);
+    m_rig->workspace().changeWorld(u"unplug=0"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Reconnecting, kPatience);
+    // Without disconnecting first.
+    QVERIFY(m_rig->open(u"sim:bcflight?seed=901"_s));
+}
+
+void TestBcflightWindow::weakLinkIsNotShownAsGood()
+{
+    const QList<QLabel *> labels = window().findChild<StatusStrip *>()->findChildren<QLabel *>();
+    const QLabel *link = labels.first();
+    const QString good = m_rig->workspace().theme().color(ColorRole::Ok).name();
+    const auto isGood = [&] { return link->text().contains(good) && !link->toolTip().contains(u"link:"_s); };
+    window().resize(1600, 900);
+    QTRY_VERIFY2(isGood() && link->text().contains(u"100 %"_s), qPrintable(link->text()));
+    // It cannot count what its stream loses.
+    QVERIFY2(!link->text().contains(u"lost"_s), qPrintable(link->text()));
+    m_rig->workspace().changeWorld(u"lose=0.4"_s);
+    QTRY_VERIFY2_WITH_TIMEOUT(link->text().contains(u"weak link"_s) && !link->text().contains(good)
+                                  && link->toolTip().contains(u"Weak link: only"_s),
+                              qPrintable(link->text() + link->toolTip()), kPatience);
+    m_rig->workspace().changeWorld(u"lose=0"_s);
+    QTRY_VERIFY2_WITH_TIMEOUT(isGood(), qPrintable(link->text()), kPatience);
+    m_rig->workspace().changeWorld(u"late=700"_s);
+    QTRY_VERIFY2_WITH_TIMEOUT(link->toolTip().contains(u"Slow link"_s) && !link->text().contains(good),
+                              qPrintable(link->text() + link->toolTip()), kPatience);
+}
+
+void TestBcflightWindow::repliesAreInWords()
+{
+    QVERIFY(window().showPage(u"actions"_s));
+    auto *page = m_rig->page<ActionsPage>();
+    QVERIFY(page->showAction(u"status"_s));
+    QTest::mouseClick(page->runButton(), Qt::LeftButton);
+    QTRY_VERIFY2(page->reply()->toPlainText().contains(u"Battery voltage"_s),
+                 qPrintable(page->reply()->toPlainText()));
+    const QString told = page->reply()->toPlainText();
+    for (const QString &raw : {u"battery."_s, u"rx."_s, u"cpu."_s})
+        QVERIFY2(!told.contains(raw), qPrintable(told));
+    // What a progress speaks of as well.
+    Progress restarts;
+    restarts.step = u"await-restart"_s;
+    restarts.subject = u"CONFIG_FILE"_s;
+    QVERIFY(!describe(restarts).contains(u"CONFIG_FILE"_s));
 }
 
 QTEST_MAIN(TestBcflightWindow)

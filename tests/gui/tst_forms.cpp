@@ -411,7 +411,7 @@ void TestForms::repliesHaveUnits_data()
     QTest::addColumn<QString>("pattern");
     QTest::newRow("angles") << u"sim:simplebgc"_s << u"angles"_s << uR"(imu\.roll\s+-?[\d.e-]+ °\s)"_s;
     QTest::newRow("speeds") << u"sim:simplebgc"_s << u"angles"_s << uR"(speed\.yaw\s+-?[\d.e-]+ °/s\s)"_s;
-    QTest::newRow("voltage") << u"sim:storm32"_s << u"status"_s << uR"(voltage\s+[\d.]+ V)"_s;
+    QTest::newRow("voltage") << u"sim:storm32"_s << u"status"_s << uR"(Voltage\s+[\d.]+ V)"_s;
     QTest::newRow("temperature") << u"sim:storm32"_s << u"sensors.raw"_s
                                  << uR"(imu\.temperature\s+[\d.]+ °C)"_s;
 }

@@ -51,22 +51,28 @@ struct PanelSite
 };
 constexpr PanelSite kSites[]{
     {"review", "app/mainwindow/mainwindow.cpp review"},
-    {"palette", "app/mainwindow/mainwindow.cpp showPalette"},
+    {"palette", "app/mainwindow/shortcuts.cpp showPalette"},
     {"unsaved", "app/mainwindow/leaving.cpp askAboutEdits"},
     {"unstored", "app/mainwindow/leaving.cpp askAboutValues"},
     {"work", "app/mainwindow/leaving.cpp askAboutWork"},
     {nullptr, "app/mainwindow/leaving.cpp askAboutMotors"},  // comes when they were told off just now
     {"running", "app/mainwindow/leaving.cpp askAboutRunning"},
     {nullptr, "app/mainwindow/leaving.cpp askAboutSteering"},  // of a board that does not answer
+    // Of a drone, and of the same kind as the others: see tst_flight and tst_camerapage.
+    {nullptr, "app/mainwindow/leaving.cpp askAboutArmed"},
+    {nullptr, "app/pages/board/flightpage.cpp askToOpen"},
+    {nullptr, "app/pages/board/flightpage.cpp askToTune"},
+    {nullptr, "app/families/bcflight/picturesettings.cpp openLens"},
     {nullptr, "app/workspace/filedialogs.cpp openBeside"},  // see fileDialogsLeaveTheMotorsInReach
     {nullptr, "app/workspace/filedialogs.cpp askToReplace"},  // comes after it; see tst_filedialogs
     {"back", "app/mainwindow/bars.cpp goBack", true},
-    {"messages", "app/mainwindow/mainwindow.cpp showPalette"},
+    {"messages", "app/mainwindow/shortcuts.cpp showPalette"},
     {"play", "app/mainwindow/mainwindow.cpp openFile"},
     {nullptr, "app/workspace/question.cpp askToStartMotors"},  // goes by itself where motors run
     {"letgo", "app/workspace/question.cpp askToLetGo"},
     {"storing", "app/workspace/storing.cpp reviewStoring", true},
     {"alarmed", "app/workspace/storing.cpp askToStoreAlarmed"},
+    {nullptr, "app/workspace/storing.cpp reviewRewriting"},  // of a board that keeps them in a text
     {nullptr, "app/workspace/storing.cpp askToStoreAll"},  // of motors that are stored otherwise
     {"switch", "app/workspace/question.cpp askToReload"},
     {"limp", "app/workspace/question.cpp askForMotorsOff"},

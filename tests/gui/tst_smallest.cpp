@@ -50,7 +50,7 @@ void TestSmallest::nothingIsCutAtTheSide_data()
 {
     QTest::addColumn<QString>("address");
     QTest::addColumn<QString>("language");
-    for (const char *family : {"simplebgc", "storm32"}) {
+    for (const char *family : {"simplebgc", "storm32", "bcflight"}) {
         for (const char *language : {"en", "de"})
             QTest::addRow("%s, %s", family, language)
                 << u"sim:"_s + QLatin1String(family) << QString::fromLatin1(language);

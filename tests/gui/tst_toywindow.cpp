@@ -11,6 +11,7 @@
 #include "app/pages/setup/documentspage.h"
 #include "app/pages/setup/parameterspage.h"
 #include "app/pages/watch/dashboardpage.h"
+#include "app/pages/watch/flightoverview.h"
 #include "app/pages/watch/monitorpage.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "tests/support/named.h"
@@ -21,8 +22,11 @@
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/valueeditor.h"
 #include "widgets/plot/curvechart.h"
+#include "widgets/views/armedstate.h"
 #include "widgets/views/axisdial.h"
+#include "widgets/views/codeeditor.h"
 #include "widgets/views/controlpad.h"
+#include "widgets/views/motordiagram.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -30,7 +34,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -130,7 +133,7 @@ void TestToyWindow::pagesAreListedOrFillThemselves()
     }
     QCOMPARE(listed,
              (QStringList{u"dashboard"_s, u"monitor"_s, u"parameters"_s, u"documents"_s, u"spectrum"_s,
-                          u"control"_s, u"actions"_s, u"backups"_s, u"settings"_s, u"help"_s}));
+                          u"control"_s, u"actions"_s, u"backups"_s, u"gamepad"_s, u"settings"_s, u"help"_s}));
     QVERIFY(window().messageBar()->text().isEmpty() || !window().messageBar()->isVisible());
 }
 
@@ -170,8 +173,8 @@ void TestToyWindow::documentIsEditedReviewedAndWritten()
     auto *list = named<QListWidget>(documents, u"Documents of this board"_s);
     QCOMPARE(list->count(), 1);
     QCOMPARE(list->item(0)->text(), u"Mission"_s);
-    auto *text = named<QPlainTextEdit>(documents, u"Text of the document"_s);
-    QCOMPARE(text->toPlainText(), u"-- nothing yet\n"_s);
+    auto *text = named<TextEditor>(documents, u"Text of the document"_s);
+    QCOMPARE(text->bytes(), QByteArray("-- nothing yet\n"));
     QVERIFY(says(documents, u"restarts"_s));
     text->setFocus();
     text->selectAll();
@@ -180,10 +183,10 @@ void TestToyWindow::documentIsEditedReviewedAndWritten()
     QTRY_VERIFY(documents->hasChanges());
     // One step, also by the keyboard and within the editor.
     QTest::keyClick(text, Qt::Key_Z, Qt::ControlModifier);
-    QTRY_COMPARE(text->toPlainText(), u"-- nothing yet\n"_s);
+    QTRY_COMPARE(text->bytes(), QByteArray("-- nothing yet\n"));
     QTRY_COMPARE(model().changeCount(), 0);
     QTest::keyClick(text, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-    QTRY_COMPARE(text->toPlainText(), u"climb(10)"_s);
+    QTRY_COMPARE(text->bytes(), QByteArray("climb(10)"));
     QSignalSpy lost(&m_rig->client(), &DeviceClient::connectionLost);
     QVERIFY(write());
     QCOMPARE(std::as_const(model()).board().block({0, toy::Mission}), QByteArray("climb(10)"));
@@ -199,7 +202,7 @@ void TestToyWindow::documentIsEditedReviewedAndWritten()
 void TestToyWindow::documentIsLoadedSavedAndLimited()
 {
     auto *documents = page<DocumentsPage>();
-    auto *text = named<QPlainTextEdit>(documents, u"Text of the document"_s);
+    auto *text = named<TextEditor>(documents, u"Text of the document"_s);
     const QString path = m_rig->filePath(u"mission.lua"_s);
     QFile file(path);
     QVERIFY(file.open(QIODevice::WriteOnly));
@@ -209,7 +212,7 @@ void TestToyWindow::documentIsLoadedSavedAndLimited()
     QCOMPARE(model().changeCount(), 1);
     QCOMPARE(std::as_const(model()).edited().block({0, toy::Mission}), QByteArray("land()\r\n-- über\r\n"));
     // Lines end as they ended before.
-    text->moveCursor(QTextCursor::Start);
+    text->setCursorPosition(0, 0);
     QTest::keyClicks(text, u"x"_s);
     const QString saved = m_rig->filePath(u"saved.lua"_s);
     documents->saveTo(saved);
@@ -217,7 +220,7 @@ void TestToyWindow::documentIsLoadedSavedAndLimited()
     QVERIFY(back.open(QIODevice::ReadOnly));
     QCOMPARE(back.readAll(), QByteArray("xland()\r\n-- über\r\n"));
     const QByteArray before = std::as_const(model()).edited().block({0, toy::Mission});
-    text->setPlainText(QString(5000, u'a'));
+    text->setText(QString(5000, u'a'));
     QTRY_VERIFY(says(documents, u"5000"_s));
     QTRY_VERIFY(documents->findChild<QLabel *>(u"error"_s));
     QCOMPARE(std::as_const(model()).edited().block({0, toy::Mission}), before);
@@ -231,16 +234,16 @@ void TestToyWindow::documentIsLoadedSavedAndLimited()
 
 void TestToyWindow::dashboardHasAxesAndMotors()
 {
+    // It flies: there is no camera to be drawn.
     auto *dashboard = page<DashboardPage>();
-    QList<bool> shown;
-    for (AxisDial *dial : dashboard->findChildren<AxisDial *>())
-        shown.append(dial->isVisible());
-    QCOMPARE(shown, (QList<bool>{false, true, true}));
-    const QList<QProgressBar *> bars = dashboard->findChildren<QProgressBar *>();
-    QCOMPARE(bars.size(), toy::kMotors);
-    QVERIFY(bars.first()->isVisible());
-    QCOMPARE(bars.last()->accessibleName(), u"Motor 5"_s);
-    QTRY_COMPARE(bars.first()->text(), u"0 %"_s);
+    for (const AxisDial *dial : dashboard->findChildren<AxisDial *>())
+        QVERIFY(!dial->isVisible());
+    const auto *overview = dashboard->findChild<FlightOverview *>();
+    QVERIFY(overview && overview->isVisible());
+    QTRY_COMPARE(overview->motors()->count(), toy::kMotors);
+    QVERIFY(!overview->motors()->hasPlaces());  // nobody knows where they are
+    QTRY_COMPARE(overview->motors()->outputText(5), u"stands"_s);
+    QTRY_VERIFY(overview->state()->state() != ArmedState::State::Unknown);
 }
 
 void TestToyWindow::monitorPlotsValuesAndArrays()

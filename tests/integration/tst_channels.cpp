@@ -79,7 +79,12 @@ public:
         m_thread.wait();
     }
     Channel &channel() override { return *m_channel; }
-    void pullCable() override { std::ignore = m_links.changeWorld(m_address, u"unplug=0"_s); }
+    // For good: back after three seconds, a drone would not have been missed for long enough.
+    void pullCable() override
+    {
+        std::ignore = m_links.changeWorld(m_address, u"replug=-1"_s);
+        std::ignore = m_links.changeWorld(m_address, u"unplug=0"_s);
+    }
     void cancel() override { m_control->cancel(); }
 
 private:

@@ -19,10 +19,10 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr std::array kCommands{"info",      "list",     "get",     "set",     "profiles", "rename",
-                               "ports",     "dump",     "diff",    "apply",   "script",   "do",
-                               "calibrate", "autotune", "motors",  "streams", "export",   "analyze",
-                               "monitor",   "record",   "publish", "measure"};
+constexpr std::array kCommands{
+    "info",   "list",    "get",     "set",       "profiles",   "rename",  "ports",    "dump",   "diff",
+    "apply",  "script",  "do",      "calibrate", "motor-test", "upload",  "autotune", "motors", "streams",
+    "export", "analyze", "monitor", "record",    "publish",    "measure", "config"};
 
 struct Run
 {

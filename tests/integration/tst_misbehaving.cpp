@@ -25,6 +25,7 @@ struct Tried
     QString program;
     QString value;  // a parameter
     QString wanted;  // a value of it that no board holds at first
+    bool isNetwork = false;  // reached by UDP
 };
 
 const QList<Tried> &families()
@@ -52,7 +53,15 @@ const QList<Tried> &families()
          u"gimbalctl"_s,
          u"pid.pitch.p"_s,
          u"4.50"_s},
-        {u"toy"_s, {}, -1, u"toysim"_s, u"toyctl"_s, u"flight.limit"_s, u"1234"_s},
+        {u"bcflight"_s,
+         {u"--generation"_s, u"G"_s},
+         0x23,
+         u"gimbalsim"_s,
+         u"gimbalctl"_s,
+         u"pid.roll.p"_s,
+         u"0.0018"_s,
+         true},
+        {u"toy"_s, {}, -1, u"toysim"_s, u"toyctl"_s, u"flight.limit"_s, u"1234"_s, true},
     };
     return all;
 }
@@ -68,6 +77,7 @@ struct Kind
     const char *name;
     QStringList faults;
     bool mustWork;
+    QStringList ofPackets = {};  // instead of these, where whole packets are hit; what UDP keeps out is none
 };
 
 const QList<Kind> &kinds()
@@ -76,15 +86,20 @@ const QList<Kind> &kinds()
         {"well", {}, true},
         {"late", {u"late=150"_s}, true},
         {"at any time", {u"delay=60"_s}, true},
-        {"twice", {u"double=0.001"_s}, false},
-        {"wrong lengths", {u"lose=0.001"_s}, false},
-        {"errors", {u"flip=0.001"_s}, false},
+        {"twice", {u"double=0.001"_s}, false, {u"double=0.2"_s}},
+        {"wrong lengths", {u"lose=0.001"_s}, false, {u"lose=0.05"_s}},
+        {"errors", {u"flip=0.001"_s}, false, {u"reorder=0.2"_s}},
         {"resets", {u"reset-on-write=1"_s}, false},
     };
     return all;
 }
 
 }  // namespace
+
+bool isRestartedDrone(const Tried &tried, const Kind &kind)
+{
+    return tried.key == u"bcflight"_s && kind.faults.contains(u"reset-on-write=1"_s);
+}
 
 template <typename T> Result<T> wait(QFuture<Result<T>> future)
 {
@@ -95,11 +110,17 @@ template <typename T> Result<T> wait(QFuture<Result<T>> future)
 
 QStringList simulatorOptions(const Tried &tried, const Kind &kind, const QString &path)
 {
-    QStringList options = tried.options
-        + (tried.key == u"toy"_s ? QStringList{u"--udp"_s, u"0"_s} : QStringList{u"--pty"_s, path});
-    for (const QString &fault : kind.faults)
+    QStringList options
+        = tried.options + (tried.isNetwork ? QStringList{u"--udp"_s, u"0"_s} : QStringList{u"--pty"_s, path});
+    const bool hitsPackets = tried.key == u"bcflight"_s && !kind.ofPackets.isEmpty();
+    for (const QString &fault : hitsPackets ? kind.ofPackets : kind.faults)
         options += {u"--fault"_s, fault};
     return options;
+}
+
+QString linkTo(const Tried &tried, const SimProcess &board, const QString &path)
+{
+    return tried.isNetwork ? board.address() : u"serial:%1?family=%2"_s.arg(path, tried.key);
 }
 
 /// Boards that misbehave, in each family: what gimbalctl says of values is so, or it says that it failed.
@@ -136,11 +157,9 @@ void TestMisbehaving::nothingFalseIsSaid()
     const Tried &tried = families()[family];
     const Kind &misbehaves = kinds()[kind];
     const QTemporaryDir dir;
-    const bool isNetwork = tried.key == u"toy"_s;
     const SimProcess board(simulatorOptions(tried, misbehaves, dir.filePath(u"board"_s)), tried.key,
                            tried.simulator);
-    const QString link
-        = isNetwork ? board.address() : u"serial:%1?family=%2"_s.arg(dir.filePath(u"board"_s), tried.key);
+    const QString link = linkTo(tried, board, dir.filePath(u"board"_s));
     const auto ctl = [&](const QStringList &arguments) {
         return Running(dir.path(), QStringList{u"--link"_s, link} + arguments, tried.program).finish(60000);
     };
@@ -167,6 +186,11 @@ void TestMisbehaving::nothingFalseIsSaid()
     const double holds = after.out.trimmed().toDouble();
     if (set.exitCode == 0)
         QCOMPARE(holds, tried.wanted.toDouble());
+    // It has restarted, and flies with what stands in its text.
+    if (isRestartedDrone(tried, misbehaves)) {
+        QCOMPARE(set.exitCode, 1);
+        QVERIFY(holds != tried.wanted.toDouble());
+    }
     const QJsonArray written = set.json().value(u"written"_s).toArray();
     for (const QJsonValue value : written) {
         const QJsonObject line = value.toObject();
@@ -191,8 +215,7 @@ void TestMisbehaving::clientSaysNothingFalse()
     const bool isToy = tried.key == u"toy"_s;
     const SimProcess board(simulatorOptions(tried, misbehaves, dir.filePath(u"board"_s)), tried.key,
                            tried.simulator);
-    const QString link
-        = isToy ? board.address() : u"serial:%1?family=%2"_s.arg(dir.filePath(u"board"_s), tried.key);
+    const QString link = linkTo(tried, board, dir.filePath(u"board"_s));
     std::optional<Result<WriteReport>> report;
     {
         DeviceClient client(isToy ? toyLinks().transports : allLinks().transports,
@@ -220,7 +243,7 @@ void TestMisbehaving::clientSaysNothingFalse()
         client.shutDown();
     }
     // A board that was reset is absent from its bus for a while.
-    QTRY_VERIFY(isToy || QFile::exists(dir.filePath(u"board"_s)));
+    QTRY_VERIFY(tried.isNetwork || QFile::exists(dir.filePath(u"board"_s)));
     Run after;
     bool isRetrieved = tried.key != u"storm32"_s;
     for (int i = 0; i < 10 && !isRetrieved; ++i) {
@@ -234,6 +257,8 @@ void TestMisbehaving::clientSaysNothingFalse()
     const double holds = after.out.trimmed().toDouble();
     const bool isDone = report && report->has_value() && (*report)->isComplete();
     QVERIFY(isDone || !misbehaves.mustWork);
+    if (isRestartedDrone(tried, misbehaves))
+        QVERIFY(!isDone && holds != tried.wanted.toDouble());
     if (isDone)
         QCOMPARE(holds, tried.wanted.toDouble());
     if (!report || !report->has_value())
@@ -266,7 +291,7 @@ void TestMisbehaving::unansweredIsNoValue()
     const Kind never{"never", {u"deaf=%1"_s.arg(tried.deaf)}, false};
     const SimProcess board(simulatorOptions(tried, never, dir.filePath(u"board"_s)), tried.key,
                            tried.simulator);
-    const QString link = u"serial:%1?family=%2"_s.arg(dir.filePath(u"board"_s), tried.key);
+    const QString link = linkTo(tried, board, dir.filePath(u"board"_s));
     for (const QStringList &command :
          {QStringList{u"get"_s, tried.value}, QStringList{u"set"_s, tried.value + u'=' + tried.wanted},
           QStringList{u"--json"_s, u"dump"_s, dir.filePath(u"all.json"_s)}}) {

@@ -420,7 +420,8 @@ void TestModels::everyFileFaultHasWords()
 void TestModels::everyProgressHasWords()
 {
     for (const char *step : {"probe", "read-block", "write-block", "await-restart", "verify-block",
-                             "roll-back", "calibrate", "autotune", "steer"}) {
+                             "roll-back", "calibrate", "autotune", "steer", "motor-test", "escs-off",
+                             "escs-full", "escs-zero", "firmware-upload", "firmware-restart"}) {
         Progress progress;
         progress.step = QLatin1String(step);
         progress.subject = u"PARAMS_3"_s;

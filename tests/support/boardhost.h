@@ -3,29 +3,30 @@
 #pragma once
 
 #include "protocol/simulator/link/tcphost.h"
+#include "protocol/simulator/link/udphost.h"
 
 #include <QThread>
 
 #include <type_traits>
 
-/// A simulated board behind TCP with a thread of its own, as a board is: a window that is busy does not keep
-/// it from answering.
-class BoardHost
+/// A simulated board behind a host with a thread of its own, as a board is: a window that is busy does not
+/// keep it from answering.
+template <typename Host> class BoardBehind
 {
 public:
-    explicit BoardHost(std::unique_ptr<SimulatedPort> port)
-        : m_host(new TcpHost(std::move(port), 0))
+    explicit BoardBehind(std::unique_ptr<SimulatedPort> port)
+        : m_host(new Host(std::move(port), 0))
     {
         m_host->moveToThread(&m_thread);
         QObject::connect(&m_thread, &QThread::finished, m_host, &QObject::deleteLater);
         m_thread.start();
     }
-    ~BoardHost()
+    ~BoardBehind()
     {
         m_thread.quit();
         m_thread.wait();
     }
-    Q_DISABLE_COPY_MOVE(BoardHost)
+    Q_DISABLE_COPY_MOVE(BoardBehind)
     [[nodiscard]] bool start()
     {
         return at([this] { return m_host->start().has_value(); });
@@ -38,6 +39,11 @@ public:
     template <typename Board, typename Ask> auto with(Ask ask)
     {
         return at([this, &ask] { return ask(static_cast<Board &>(m_host->port().board())); });
+    }
+    /// Changes what is around it: a fault as NAME=VALUE.
+    [[nodiscard]] bool change(const QString &assignment)
+    {
+        return at([&] { return m_host->port().change(assignment).has_value(); });
     }
 
 private:
@@ -54,5 +60,8 @@ private:
     }
 
     QThread m_thread;
-    TcpHost *m_host;  // lives on the thread, which deletes it
+    Host *m_host;  // lives on the thread, which deletes it
 };
+
+using BoardHost = BoardBehind<TcpHost>;
+using DatagramBoardHost = BoardBehind<UdpHost>;

@@ -4,6 +4,7 @@
 #include "protocol/client/connector.h"
 #include "protocol/device/abilities.h"
 #include "protocol/device/bearings.h"
+#include "protocol/device/motorlayout.h"
 #include "protocol/device/steering.h"
 #include "protocol/session/stopplan.h"
 #include "protocol/simulator/link/virtualchannel.h"
@@ -138,6 +139,7 @@ private:
         add("notch filters", device.notchFilters());
         add("gain shape", device.gainShape() != nullptr);
         add("restart notice", device.restartNotice());
+        add("motor layout", device.motorLayout());
         return names;
     }
 };
@@ -235,6 +237,12 @@ void TestAbilities::whatIsHandedOutAnswers()
         QVERIFY(std::any_of(kAxes.begin(), kAxes.end(),
                             [notches](Axis axis) { return !notches->notchesOf(axis).empty(); }));
     }
+    if (const MotorLayout *layout = device.motorLayout()) {
+        const auto active = device.readConfiguration(channel);
+        QVERIFY(active);
+        QCOMPARE(qsizetype(layout->motorShares(*active).size()), 4);
+        QVERIFY(layout->motorShares(Configuration(active->identity(), active->parameterSet())).empty());
+    }
     if (const auto shape = device.gainShape()) {
         const PidGains gains = shape->gainsFor(50, 50);
         QVERIFY(gains.kp > 0);
@@ -280,7 +288,7 @@ void TestAbilities::eachAbilityIsAbsentSomewhere()
         seen += abilities(*board.device);
     }
     if (allFamilies().size() > 1)
-        QCOMPARE(seen.size(), 13);  // and each is there somewhere
+        QCOMPARE(seen.size(), 14);  // and each is there somewhere
 }
 
 // Where a board says nothing, an action fails, or it is one that no board answers.

@@ -551,6 +551,17 @@ void TestAnalysis::stepsAreCutAtTheTarget()
     QCOMPARE(all->metrics.overshoot, 0.0);
     QVERIFY(!measureSteps(std::vector<float>(500, 1.0F), response, 100, 0.8));
     QVERIFY(!measureSteps({}, {}, 100, 0.8));
+    // A stick in units of its own: the same steps are found, whatever the response is counted in.
+    std::vector<float> scaled;
+    for (const float value : response)
+        scaled.push_back(-30 * value + 7);
+    const auto unknown = measureCommandSteps(target, scaled, 100, 0.8);
+    QVERIFY(unknown);
+    QCOMPARE(unknown->runs.response.size(), all->runs.response.size());
+    QVERIFY(std::abs(unknown->metrics.overshoot - all->metrics.overshoot) < 3);
+    QVERIFY(std::abs(unknown->metrics.riseSeconds.value() - all->metrics.riseSeconds.value()) < 0.02);
+    QVERIFY(!measureCommandSteps(std::vector<float>(500, 1.0F), response, 100, 0.8));
+    QVERIFY(!measureCommandSteps({}, {}, 100, 0.8));
     QVERIFY(cutSteps({}, {}, 100, 1.0, 3.0, 0.8).target.empty());
     QVERIFY(cutSteps(target, response, 100, 1.0, 1.0, 0.8).target.empty());
 }

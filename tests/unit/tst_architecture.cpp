@@ -33,10 +33,11 @@ const QMap<QString, QStringList> &allowed()
     static const QStringList drawn = shown + QStringList{u"widgets/models"_s, u"widgets/theme"_s};
     static const QStringList core = family + QStringList{u"protocol/supervisor"_s, u"protocol/client"_s, u"protocol/record"_s, u"protocol/procedure"_s};
     static const QStringList shared = core + QStringList{u"app/composition"_s, u"widgets/models"_s, u"widgets/theme"_s, u"widgets/forms"_s,
-                                                         u"widgets/plot"_s, u"widgets/views"_s};
+                                                         u"widgets/plot"_s, u"widgets/views"_s, u"widgets/gamepad"_s, u"protocol/video"_s};
     static const QStringList page = shared + QStringList{u"app/workspace"_s};
     static const QStringList window = page + QStringList{u"app/pages/watch"_s, u"app/pages/setup"_s, u"app/pages/tune"_s, u"app/pages/board"_s,
                                                          u"app/pages/program"_s, u"app/families/simplebgc"_s, u"app/families/storm32"_s,
+                                                         u"app/families/bcflight"_s,
                                                          u"app/families"_s};
     static const QMap<QString, QStringList> table{
         {u"protocol/base"_s, {}},
@@ -52,24 +53,31 @@ const QMap<QString, QStringList> &allowed()
         {u"protocol/mavlink"_s, {u"protocol/base"_s}},
         {u"protocol/storm32"_s, family + QStringList{u"protocol/mavlink"_s}},
         {u"protocol/bcflight"_s, family},
+        {u"protocol/blackbox"_s, family},
         {u"protocol/record"_s, family},
         {u"protocol/procedure"_s, family + QStringList{u"protocol/record"_s}},
+        {u"protocol/video"_s, {u"protocol/base"_s}},
         {u"protocol/simulator/world"_s, {u"protocol/base"_s, u"protocol/transport"_s}},
-        {u"protocol/simulator/link"_s, board + QStringList{u"protocol/session"_s}},
+        {u"protocol/simulator/video"_s, {u"protocol/base"_s, u"protocol/transport"_s, u"protocol/video"_s, u"protocol/simulator/world"_s}},
+        {u"protocol/simulator/link"_s, board + QStringList{u"protocol/session"_s, u"protocol/video"_s, u"protocol/simulator/video"_s}},
         {u"protocol/simulator/simplebgc"_s, board + family + QStringList{u"protocol/simplebgc"_s}},
         {u"protocol/simulator/storm32"_s, board + family + QStringList{u"protocol/storm32"_s, u"protocol/mavlink"_s}},
         {u"protocol/simulator/bcflight"_s, board + family + QStringList{u"protocol/bcflight"_s}},
         {u"widgets/models"_s, shown},
+        {u"widgets/gamepad"_s, {u"protocol/base"_s}},
         {u"widgets/theme"_s, {u"protocol/base"_s}},
         {u"widgets/forms"_s, drawn},
         {u"widgets/plot"_s, drawn},
-        {u"widgets/views"_s, drawn},
+        {u"widgets/views"_s, drawn + QStringList{u"protocol/video"_s}},
         // The one place that knows which families and boards there are.
-        {u"app/composition"_s, core + board + QStringList{u"protocol/simplebgc"_s, u"protocol/storm32"_s, u"protocol/mavlink"_s, u"protocol/bcflight"_s,
+        {u"app/composition"_s, core + board + QStringList{u"protocol/video"_s, u"protocol/simulator/video"_s, u"protocol/simplebgc"_s, u"protocol/storm32"_s, u"protocol/mavlink"_s, u"protocol/bcflight"_s, u"protocol/blackbox"_s,
             u"protocol/simulator/link"_s, u"protocol/simulator/simplebgc"_s, u"protocol/simulator/storm32"_s, u"protocol/simulator/bcflight"_s}},
         // gimbalsim's command line is a client of the simulator.
-        {u"app/cli"_s, core + board + QStringList{u"app/composition"_s, u"widgets/models"_s, u"protocol/simulator/link"_s}},
+        {u"app/cli"_s, core + board + QStringList{u"app/composition"_s, u"widgets/models"_s, u"protocol/simulator/link"_s, u"protocol/simulator/video"_s, u"protocol/video"_s}},
         {u"app/workspace"_s, shared},
+        // Loaded by the program when it is needed, so it links no floor.
+        {u"app/modules/gamepad"_s, {u"protocol/base"_s, u"widgets/gamepad"_s}},
+        {u"app/modules/video"_s, {u"protocol/base"_s, u"protocol/video"_s}},
         {u"app/pages/watch"_s, page},
         {u"app/pages/setup"_s, page},
         {u"app/pages/tune"_s, page},
@@ -77,11 +85,12 @@ const QMap<QString, QStringList> &allowed()
         {u"app/pages/program"_s, page},
         {u"app/families/simplebgc"_s, page + QStringList{u"protocol/simplebgc"_s}},
         {u"app/families/storm32"_s, page + QStringList{u"protocol/storm32"_s, u"protocol/mavlink"_s}},
-        {u"app/families"_s, page + QStringList{u"app/families/simplebgc"_s, u"app/families/storm32"_s}},
+        {u"app/families/bcflight"_s, page + QStringList{u"protocol/bcflight"_s}},
+        {u"app/families"_s, page + QStringList{u"app/families/simplebgc"_s, u"app/families/storm32"_s, u"app/families/bcflight"_s}},
         {u"app/mainwindow"_s, window},
         {u"app/tour"_s, window + QStringList{u"app/mainwindow"_s}},
         // The three programs.
-        {u"app"_s, window + board + QStringList{u"app/mainwindow"_s, u"app/tour"_s, u"app/cli"_s, u"protocol/simulator/link"_s}},
+        {u"app"_s, window + board + QStringList{u"app/mainwindow"_s, u"app/tour"_s, u"app/cli"_s, u"protocol/simulator/link"_s, u"protocol/simulator/video"_s}},
     };
     // clang-format on
     return table;
@@ -155,7 +164,10 @@ bool isForeign(const QString &include)
 QString foreignViolation(const QString &path, const QString &include)
 {
     static const QMap<QString, QString> owners{{u"Eigen/"_s, u"protocol/analysis"_s},
-                                               {u"Qsci/"_s, u"widgets/views"_s}};
+                                               {u"Qsci/"_s, u"widgets/views"_s},
+                                               {u"libav"_s, u"app/modules/video"_s},
+                                               {u"libsw"_s, u"app/modules/video"_s},
+                                               {u"SDL2/"_s, u"app/modules/gamepad"_s}};
     for (auto it = owners.begin(); it != owners.end(); ++it) {
         if (include.contains(it.key()) && folderOf(path) != it.value())
             return u"%1 includes %2"_s.arg(path, include);

@@ -154,6 +154,11 @@ private slots:
     void controllerHoldsTheStand();
     void sticksTurnIt();
     void batterySags();
+    void clientThatClosesLeavesTheMotorsRunning();
+    void clientThatPausesIsDroppedFromTheSecondOn();
+    void commandInTwoPiecesIsLost();
+    void anyAcknowledgementIsEchoed();
+    void modeLevelsTheAttitude();
 };
 
 void TestBcflightBoard::firstPacketIsThrownAway()
@@ -408,7 +413,7 @@ void TestBcflightBoard::unknownPayloadIsCarriedOut()
     Rig rig;
     rig.calibrate();
     const int before = rig.board.unknownMessages();
-    rig.ask(QByteArray::fromHex("7fff")
+    rig.ask(QByteArray::fromHex("78ff")
             + encode(Message::Controls, (Controls{0.3, 0, 0, 0, true}).encode(Generation::G)));
     QVERIFY(rig.board.isArmed());
     QCOMPARE(rig.board.unknownMessages(), before + 1);
@@ -653,6 +658,86 @@ void TestBcflightBoard::batterySags()
     rig.fly({0, 0, 0, 0, false}, 1.0);
     QVERIFY(rig.board.quadcopter().voltage() > before - 0.2);
     QVERIFY(rig.board.quadcopter().charge() > 0);
+}
+
+// Errata 9.1: closing TCP disarms in word only, and arm = 0 afterwards stops nothing.
+void TestBcflightBoard::clientThatClosesLeavesTheMotorsRunning()
+{
+    Rig rig;
+    rig.board.clientCame();
+    rig.calibrate();
+    rig.fly({.thrust = 0.3, .arm = true}, 0.3);
+    QVERIFY(rig.board.isArmed() && runs(rig.board));
+    rig.board.clientWent();
+    rig.wait(1);
+    QVERIFY(!rig.board.status().armed);
+    QVERIFY(runs(rig.board));
+    rig.board.clientCame();
+    QVERIFY(!rig.answer(Message::Status));  // not connected before a PING
+    rig.connect();
+    rig.fly({.arm = false}, 0.2);
+    QVERIFY(runs(rig.board));
+    rig.ask(Message::ResetMotors);
+    QVERIFY(!runs(rig.board));
+}
+
+// Errata 2.6: silence, and no end of the stream.
+void TestBcflightBoard::clientThatPausesIsDroppedFromTheSecondOn()
+{
+    Rig rig;
+    rig.board.clientCame();
+    rig.connect();
+    rig.wait(2 * Drone::kReadTimeout);
+    QVERIFY(rig.answer(Message::Status));
+    rig.board.clientWent();
+    rig.board.clientCame();
+    rig.connect();
+    QVERIFY(rig.answer(Message::Status));
+    rig.wait(2 * Drone::kReadTimeout);
+    QVERIFY(!rig.answer(Message::Status));
+    rig.board.clientWent();
+    rig.board.clientCame();
+    rig.connect();
+    QVERIFY(rig.answer(Message::Status));
+}
+
+// Errata 2.6: what is split over two reads is lost, and its tail is parsed as commands.
+void TestBcflightBoard::commandInTwoPiecesIsLost()
+{
+    Rig rig;
+    rig.connect();
+    const auto gain = [&rig] { return rig.board.gains()[0][0]; };
+    const double before = gain();
+    const QByteArray set = encode(Message::SetRollP, bigF32(0.5F));
+    rig.ask(set.first(4));
+    rig.ask(set.sliced(4));
+    QCOMPARE(gain(), before);
+    rig.ask(set);
+    QCOMPARE(gain(), 0.5);
+}
+
+// Errata 5: it only looks for two bits.
+void TestBcflightBoard::anyAcknowledgementIsEchoed()
+{
+    Rig rig;
+    rig.connect();
+    rig.packets.clear();
+    rig.ask(QByteArray::fromHex("0605"));
+    QVERIFY(rig.packets.contains(QByteArray::fromHex("06050605")));
+    rig.ask(QByteArray::fromHex("7f01"));
+    QVERIFY(rig.packets.contains(QByteArray::fromHex("7f017f01")));
+}
+
+// Errata 6.4: SET_MODE 1 resets the attitude estimate, whatever the drone does.
+void TestBcflightBoard::modeLevelsTheAttitude()
+{
+    Rig rig;
+    rig.calibrate();
+    rig.fly({.thrust = 0.3, .roll = 0.5, .arm = true}, 1.0);
+    const auto roll = [&rig] { return floatAt(*Rig::reply(rig.wait(0.03), Message::RollPitchYaw), 0); };
+    QVERIFY(std::abs(roll()) > 5);
+    QCOMPARE(rig.answer(Message::SetMode, bigU32(1)), std::optional(bigU32(1)));
+    QVERIFY(std::abs(roll()) < 3);
 }
 
 QTEST_GUILESS_MAIN(TestBcflightBoard)

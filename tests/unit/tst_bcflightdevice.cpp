@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "protocol/bcflight/decoder.h"
-#include "protocol/bcflight/device.h"
+#include "protocol/bcflight/luacheck.h"
 #include "protocol/bcflight/luatext.h"
-#include "protocol/bcflight/tables.h"
+#include "protocol/procedure/writeconfiguration.h"
 #include "protocol/session/stopplan.h"
-#include "protocol/simulator/bcflight/board.h"
-#include "protocol/simulator/link/virtualchannel.h"
 #include "protocol/telemetry/telemetryplan.h"
+#include "tests/support/channelproxy.h"
+#include "tests/support/dronerig.h"
 
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
 #include <limits>
+#include <map>
 
 using namespace Qt::StringLiterals;
 using namespace bcflight;
@@ -20,29 +21,20 @@ using Drone = bcflight::SimulatedBoard;
 
 namespace {
 
-SimulatorOptions optionsOf(Generation generation, QMap<QString, int> own = {})
+Faults losing(double share)
 {
-    SimulatorOptions options;
-    own.insert(QLatin1String(Drone::kGeneration), int(generation));
-    options.own = own;
-    options.faults.shake = 0;
-    return options;
+    Faults faults;
+    faults.loseByte = share;
+    return faults;
 }
 
-/// A simulated drone and a virtual channel to it, whose telemetry is kept.
-struct Rig
+struct Rig : DroneRig
 {
-    explicit Rig(Generation generation = Generation::G, const QMap<QString, int> &own = {})
-        : options(optionsOf(generation, own))
-        , port(std::make_unique<Drone>(options), options, {})
-        , channel(port, family.makeFramer(), family.timing)
-        , store(std::make_shared<TelemetryStore>(int(bcflight::channels().size())))
+    explicit Rig(Generation generation = Generation::G, const QMap<QString, int> &own = {}, double lose = 0)
+        : DroneRig(droneOptions(generation, own, losing(lose)))
     {
-        channel.setTap([this](const FrameView &frame, TimePoint at) { decoder.decode(frame, at, *store); });
-        channel.setLatestValues(store);
     }
     Drone &board() { return static_cast<Drone &>(port.board()); }
-    bool identify() { return device.identify(channel).has_value(); }
     Result<ActionReply> perform(const char *key, const QMap<QString, QString> &texts = {})
     {
         for (const ActionSpec &action : device.actions()) {
@@ -54,7 +46,6 @@ struct Rig
         }
         return failure(ErrorCode::Unsupported, QString::fromLatin1(key));
     }
-    bool calibrate() { return identify() && perform("calibrate.all").has_value(); }
     /// Somebody else flies it.
     void fly(const Controls &controls)
     {
@@ -70,14 +61,6 @@ struct Rig
         fly({.arm = true});
         return board().isArmed();
     }
-
-    SimulatorOptions options;
-    const Family family = bcflight::family();
-    bcflight::Device device;
-    SimulatedPort port;
-    VirtualChannel channel;
-    std::shared_ptr<TelemetryStore> store;
-    Decoder decoder;
 };
 
 double gainOf(const Configuration &configuration, const char *key)
@@ -104,16 +87,29 @@ private slots:
     void textThatCannotBeEditedIsLeftAlone_data();
     void textThatCannotBeEditedIsLeftAlone();
     void textIsUploaded();
+    void textComesBeforeGains();
+    void lostAnswersToAnUploadAreSeenThrough_data();
+    void lostAnswersToAnUploadAreSeenThrough();
+    void droneThatDoesNotComeBackIsTold();
+    void gainsStandInTheTextByTheirScales();
     void textIsRefused_data();
     void textIsRefused();
     void motorTestNeedsACountAndCalibration();
     void deafDroneIsLeftAlone();
     void calibrationIsFollowed();
+    void calibrationIsNotLostWithAPacket();
+    void textIsNotSentAgainToAnArmedDrone();
+    void repeatedIsNotTaken();
+    void transmitterThatKeepsItsSettingIsTold();
+    void disarmedIsNotStandingBeforeOutputsCouldTell();
+    void textThatSetsNothingIsRefused_data();
+    void textThatSetsNothingIsRefused();
     void stopIsProvenByStateAndOutputs();
     void telemetryIsDecoded();
     void noFalsePoints();
     void consoleRefusesWhatSteers();
     void actionsTell();
+    void camerasAreTold();
 };
 
 void TestBcflightDevice::generationsAreTold_data()
@@ -147,7 +143,7 @@ void TestBcflightDevice::generationsAreTold()
     QVERIFY2(identity->model.contains(u"BCFlight"_s), qPrintable(identity->model));
     QVERIFY(!identity->isNumbered());
     // A question that older ones do not know has nothing behind it (errata 1).
-    QVERIFY(rig.board().unknownMessages() <= (generation < int(Generation::F) ? 3 : 0));
+    QVERIFY(rig.board().unknownMessages() <= (generation < int(Generation::F) ? 6 : 0));
     QVERIFY(!rig.board().isArmed() && !rig.board().status().calibrating);
 }
 
@@ -305,16 +301,17 @@ void TestBcflightDevice::textThatCannotBeEditedIsLeftAlone()
     QByteArray text = rig.board().configuration();
     QVERIFY(text.contains(from));
     text.replace(from, to);
-    rig.channel.expectSilence(20s);
     QVERIFY(rig.device.writeBlock(rig.channel, {0, ConfigurationText}, text));
-    QVERIFY(rig.channel.sleep(20s));
-    if (rig.board().isLost())
-        return;  // this drone does not load such a text at all
+    QVERIFY(!rig.board().isLost());
     QVERIFY(rig.identify());
     QVERIFY(rig.device.writeAdjustables(rig.channel, {{0, 0.002}}));
     const auto stored = rig.perform("gains.store");
     QVERIFY(!stored);
     QCOMPARE(stored.error().code, ErrorCode::ConditionUnmet);
+    QVERIFY(stored.error().place);
+    QCOMPARE(stored.error().place->block, int(ConfigurationText));
+    QCOMPARE(stored.error().place->line,
+             lineAt(text, text.lastIndexOf(to.endsWith(',') ? "pid_yaw" : "PID( 2")));
     QCOMPARE(rig.board().configuration(), text);
 }
 
@@ -323,12 +320,129 @@ void TestBcflightDevice::textIsUploaded()
     Rig rig;
     QVERIFY(rig.identify());
     const QByteArray text = rig.board().configuration() + "-- uploaded\n";
-    rig.channel.expectSilence(20s);
+    const double begun = rig.board().now();
     QVERIFY(rig.device.writeBlock(rig.channel, {0, ConfigurationText}, text));
-    QVERIFY(rig.channel.sleep(15s));
+    QVERIFY(rig.board().now() - begun >= Drone::kRestartTime);  // it was seen to come back
     QCOMPARE(rig.device.readBlock(rig.channel, {0, ConfigurationText}).value(), text);
     QCOMPARE(rig.board().configuration(), text);
     QVERIFY(!rig.board().status().calibrated);
+}
+
+// The restart that follows the text takes gains out of use: they come behind it, and what the new text says
+// of others holds.
+void TestBcflightDevice::textComesBeforeGains()
+{
+    Rig rig;
+    QVERIFY(rig.identify());
+    const auto base = rig.device.readConfiguration(rig.channel);
+    QVERIFY(base);
+    Configuration edited = *base;
+    const ParameterSpec &roll = *base->parameters().find(u"pid.roll.p"_s);
+    const double wanted = double(float(base->raw(roll, 0).value() * 1.25));
+    QVERIFY(edited.setRaw(roll, 0, wanted));
+    QByteArray text = base->block({0, ConfigurationText});
+    const auto yaw = findGains(text, u"pid_yaw"_s);
+    QVERIFY(yaw);
+    text = replaced(text, (*yaw)[0], (*yaw)[0].value * 2);
+    edited.setBlock({0, ConfigurationText}, text);
+    const QTemporaryDir folder;
+    const BoardHistory history(folder.path());
+    WriteOptions options;
+    options.history = &history;
+    const auto report = writeConfiguration(rig.channel, rig.device, *base, edited, options);
+    QVERIFY(report);
+    QVERIFY2(report->isComplete(), report->error ? qPrintable(report->error->detail) : "");
+    QCOMPARE(report->count(WriteState::Verified), 2);
+    QCOMPARE(rig.board().configuration(), text);
+    QCOMPARE(double(float(rig.board().gains()[0][0])), wanted);
+    const double yawBefore = gainOf(*base, "pid.yaw.p");
+    QVERIFY(std::abs(rig.board().gains()[2][0] - 2 * yawBefore) < yawBefore / 100);
+    QVERIFY(std::abs(gainOf(report->onBoard, "pid.yaw.p") - 2 * yawBefore) < yawBefore / 100);
+    QStringList written;
+    for (const Progress &progress : rig.channel.progressReports()) {
+        if (progress.step == u"write-block"_s)
+            written.append(progress.subject);
+    }
+    QCOMPARE(written, (QStringList{u"CONFIG_FILE"_s, u"GAINS"_s}));
+}
+
+void TestBcflightDevice::lostAnswersToAnUploadAreSeenThrough_data()
+{
+    QTest::addColumn<bool>("arrives");
+    QTest::addColumn<int>("losses");
+    QTest::addColumn<bool>("done");
+    QTest::addColumn<QByteArray>("answer");  // that comes instead
+    QTest::newRow("the answer is lost") << true << 1 << true << QByteArray();
+    QTest::newRow("the answer is damaged") << true << 1 << true << QByteArray("\1\0\0\1", 4);
+    QTest::newRow("the answer is cut off") << true << 1 << true << QByteArray(2, '\0');
+    QTest::newRow("the upload is lost") << false << 1 << true << QByteArray();
+    QTest::newRow("every upload is lost") << false << 99 << false << QByteArray();
+}
+
+// Errata 7.3: no answer, so it is asked; it restarts, or it is told again.
+void TestBcflightDevice::lostAnswersToAnUploadAreSeenThrough()
+{
+    QFETCH(bool, arrives);
+    QFETCH(int, losses);
+    QFETCH(bool, done);
+    QFETCH(QByteArray, answer);
+    Rig rig;
+    QVERIFY(rig.identify());
+    const QByteArray before = rig.board().configuration();
+    const QByteArray text = before + "-- uploaded\n";
+    int uploads = 0;
+    Altering lossy(rig.channel, [&](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+        if (request.kind != int(Message::SetConfigFile) || ++uploads > losses)
+            return pass(request);
+        auto reply = arrives ? pass(request) : failure(ErrorCode::Timeout, request.name);
+        if (!reply || answer.isEmpty())
+            return failure(ErrorCode::Timeout, request.name);
+        reply->payload = answer;
+        return reply;
+    });
+    const auto written = rig.device.writeBlock(lossy, {0, ConfigurationText}, text);
+    QCOMPARE(written.has_value(), done);
+    QCOMPARE(rig.board().configuration(), done ? text : before);
+    QCOMPARE(uploads, arrives ? 1 : done ? 2 : 3);  // never again where it had arrived, and not for ever
+    if (!done)
+        QCOMPARE(written.error().code, ErrorCode::Timeout);
+    QCOMPARE(rig.board().unknownMessages(), 0);
+}
+
+// It compiles, and the drone cannot fly with it.
+void TestBcflightDevice::droneThatDoesNotComeBackIsTold()
+{
+    Rig rig;
+    QVERIFY(rig.identify());
+    const auto written = rig.device.writeBlock(rig.channel, {0, ConfigurationText}, "frame = nil\n");
+    QVERIFY(!written);
+    QCOMPARE(written.error().code, ErrorCode::NotSeen);
+    QVERIFY2(written.error().detail.contains(u"may not start"_s), qPrintable(written.error().detail));
+    QVERIFY(rig.board().isLost());
+}
+
+void TestBcflightDevice::gainsStandInTheTextByTheirScales()
+{
+    Rig rig;
+    QVERIFY(rig.identify());
+    Configuration read = rig.device.readConfiguration(rig.channel).value();
+    const auto figure = [&read](const char *key) {
+        const ParameterSpec &spec = *read.parameters().find(QString::fromLatin1(key));
+        return read.textFigure(spec, read.raw(spec, 0).value());
+    };
+    QCOMPARE(figure("pid.roll.p"), std::optional(90.0));
+    QCOMPARE(figure("pid.pitch.i"), std::optional(25.0));
+    QCOMPARE(figure("pid.pitch.d"), std::optional(90.0));
+    QCOMPARE(figure("pid.yaw.d"), std::optional(0.0));
+    QVERIFY(!figure("horizon.roll.offset"));  // the text has none
+    const ParameterSpec &gain = *read.parameters().find(u"pid.roll.p"_s);
+    QVERIFY(!read.textFigure(gain, std::nan("")));
+    // Nobody knows them where the text does not tell its scales.
+    QByteArray text = rig.board().configuration();
+    read.setBlock({0, ConfigurationText}, QByteArray(text).replace("0.032029 * 0.0005", "tuned( 1 )"));
+    QVERIFY(!figure("pid.roll.p"));
+    read.setBlock({0, ConfigurationText}, text.replace("PID.pscale = 0.032029 * 0.0005", ""));
+    QCOMPARE(float(figure("pid.roll.p").value_or(-1)), float(read.raw(gain, 0).value()));
 }
 
 void TestBcflightDevice::textIsRefused_data()
@@ -340,7 +454,7 @@ void TestBcflightDevice::textIsRefused_data()
     QTest::newRow("a later escape") << QByteArray("a = \"\\u{41}\"\n") << ErrorCode::InvalidArgument;
     QTest::newRow("compiled") << QByteArray("\x1bLJ\x02") << ErrorCode::InvalidArgument;
     QTest::newRow("a zero inside") << QByteArray("a = 1\0b = 2\n", 12) << ErrorCode::InvalidArgument;
-    QTest::newRow("too long") << "--" + QByteArray(60000, 'x') << ErrorCode::TooMuch;
+    QTest::newRow("too long") << "a = 1 --" + QByteArray(60000, 'x') << ErrorCode::TooMuch;
 }
 
 void TestBcflightDevice::textIsRefused()
@@ -408,6 +522,117 @@ void TestBcflightDevice::calibrationIsFollowed()
     QVERIFY(!rig.board().status().calibrated);
     QVERIFY(rig.perform("calibrate.gyro"));
     QVERIFY(rig.board().status().calibrated && !rig.board().status().calibrating);
+}
+
+// One packet in ten is lost on each way; each of the calibrations is seen to have been done.
+void TestBcflightDevice::calibrationIsNotLostWithAPacket()
+{
+    Rig rig(Generation::G, {}, 0.1);
+    QVERIFY(rig.identify());
+    for (int i = 0; i < 20; ++i) {
+        const auto done = rig.perform(i % 2 == 0 ? "calibrate.all" : "calibrate.gyro");
+        QVERIFY2(done, qPrintable(done ? QString() : done.error().detail));
+        QVERIFY(rig.board().status().calibrated && !rig.board().status().calibrating);
+    }
+}
+
+// The first upload is lost, and somebody else arms the drone meanwhile: a text would restart it in flight.
+void TestBcflightDevice::textIsNotSentAgainToAnArmedDrone()
+{
+    Rig rig;
+    QVERIFY(rig.calibrate());
+    const QByteArray before = rig.device.readBlock(rig.channel, {0, ConfigurationText}).value();
+    int sent = 0;
+    Altering channel(rig.channel, [&](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+        if (request.kind != int(Message::SetConfigFile))
+            return pass(request);
+        ++sent;
+        rig.fly({.thrust = 0, .arm = true});
+        return failure(ErrorCode::Timeout, request.name);
+    });
+    const auto written = rig.device.writeBlock(channel, {0, ConfigurationText}, before + "\n-- changed\n");
+    QVERIFY(!written);
+    QCOMPARE(written.error().code, ErrorCode::ConditionUnmet);
+    QCOMPARE(sent, 1);
+    QVERIFY(rig.board().isArmed());
+}
+
+void TestBcflightDevice::repeatedIsNotTaken()
+{
+    Rig rig;
+    QVERIFY(rig.identify());
+    std::optional<Frame> first;
+    Altering channel(rig.channel, [&](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+        const auto reply = pass(request);
+        if (request.kind != int(Message::RollPidFactors) || !reply)
+            return reply;
+        if (!first)
+            first = *reply;
+        return *first;
+    });
+    const auto set = rig.device.writeAdjustables(channel, {{0, 0.5}});
+    QVERIFY(!set);
+    QCOMPARE(set.error().code, ErrorCode::NoEffect);
+}
+
+void TestBcflightDevice::transmitterThatKeepsItsSettingIsTold()
+{
+    Rig rig;
+    QVERIFY(rig.identify());
+    QVERIFY(rig.perform("vtx.power", {{u"power"_s, u"2"_s}}));
+    const auto power = rig.perform("vtx.power", {{u"power"_s, u"5"_s}});  // its table has three steps
+    QVERIFY(!power);
+    QCOMPARE(power.error().code, ErrorCode::NoEffect);
+    QVERIFY(rig.perform("vtx.channel", {{u"band"_s, u"raceband"_s}, {u"channel"_s, u"3"_s}}));
+}
+
+// A link of this moment has not heard of the outputs yet.
+void TestBcflightDevice::disarmedIsNotStandingBeforeOutputsCouldTell()
+{
+    struct Told final : LatestValues
+    {
+        std::map<int, std::pair<float, TimePoint>> values;
+        float latest(int channel) const override
+        {
+            const auto it = values.find(channel);
+            return it == values.end() ? std::numeric_limits<float>::quiet_NaN() : it->second.first;
+        }
+        TimePoint latestAt(int channel) const override
+        {
+            const auto it = values.find(channel);
+            return it == values.end() ? TimePoint{} : it->second.second;
+        }
+    };
+    Rig rig;
+    QVERIFY(rig.identify());
+    const StopPlan plan = rig.device.stopPlan();
+    const TimePoint since = rig.channel.now();
+    Told told;
+    told.values[Armed] = {0.F, since + 20ms};
+    QCOMPARE(plan.fromTelemetry(told, since), Proof::Nothing);
+    told.values[Outputs] = {1.F, since + 60ms};
+    QCOMPARE(plan.fromTelemetry(told, since), Proof::Refuted);
+    told.values[Outputs] = {0.F, since + 160ms};
+    QCOMPARE(plan.fromTelemetry(told, since), Proof::Proven);
+    // Without a stream of them its word has to do.
+    told.values.erase(Outputs);
+    told.values[Armed] = {0.F, since + 700ms};
+    QCOMPARE(plan.fromTelemetry(told, since), Proof::Proven);
+}
+
+void TestBcflightDevice::textThatSetsNothingIsRefused_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::newRow("empty") << QByteArray();
+    QTest::newRow("blank") << QByteArray(" \n\n");
+    QTest::newRow("comments") << QByteArray("-- frame = {}\n--[[ all of it\n]]\n");
+}
+
+void TestBcflightDevice::textThatSetsNothingIsRefused()
+{
+    QFETCH(QByteArray, text);
+    QVERIFY(findMistake(text));
+    QVERIFY(!findMistake(text + "\nframe = {}\n"));
 }
 
 void TestBcflightDevice::stopIsProvenByStateAndOutputs()
@@ -532,8 +757,45 @@ void TestBcflightDevice::actionsTell()
     Rig bare{Generation::G, {{QLatin1String(Drone::kCamera), 0}, {QLatin1String(Drone::kTransmitter), 0}}};
     QVERIFY(bare.identify());
     QVERIFY(!bare.perform("camera"));
+    QVERIFY(!bare.perform("camera.white_balance"));
+    QVERIFY(!bare.perform("camera.lock"));
     QVERIFY(!bare.perform("vtx.power", {{u"power"_s, u"2"_s}}));
     QCOMPARE(bare.board().unknownMessages(), 0);
+}
+
+// What has an effect is seen in the simulated picture; what is only confirmed proves nothing (errata 6.5).
+void TestBcflightDevice::camerasAreTold()
+{
+    Rig rig;
+    QVERIFY(rig.identify());
+    QCOMPARE(rig.perform("camera").value().value(u"shutter"_s).toInt(), 200);
+    for (const char *step :
+         {"brightness.up", "brightness.up", "contrast.down", "saturation.up", "shutter.up"})
+        QVERIFY(rig.perform("camera.step", {{u"step"_s, QLatin1String(step)}}));
+    QVERIFY(rig.perform("camera"));  // they have arrived
+    const CameraView view = rig.board().cameraView().value();
+    QCOMPARE(view.brightness, 0.1);
+    QCOMPARE(view.contrast, 0.95);
+    QCOMPARE(view.saturation, 1.05);
+    QCOMPARE(rig.perform("camera.white_balance").value().value(u"white_balance"_s).toString(),
+             u"incandescent"_s);
+    QCOMPARE(rig.perform("camera.white_balance").value().value(u"white_balance"_s).toString(),
+             u"fluorescent"_s);
+    QCOMPARE(rig.perform("camera.lock").value().value(u"white_balance"_s).toString(), u"R1.50B2.25"_s);
+    QCOMPARE(rig.perform("camera.exposure").value().value(u"exposure"_s).toString(), QString());
+    QVERIFY(rig.perform("camera.night", {{u"on"_s, u"on"_s}}));
+    QVERIFY(rig.perform("camera.record", {{u"on"_s, u"off"_s}}));
+    QVERIFY(rig.perform("camera.picture"));
+    QCOMPARE(rig.perform("camera.lens").value().value(u"blue.strength"_s).toInt(), 0x2A);
+    QMap<QString, QString> lens;
+    for (const QString &colour : {u"red."_s, u"green."_s, u"blue."_s}) {
+        lens.insert(colour + u"base"_s, u"32"_s);
+        lens.insert(colour + u"radius"_s, u"200"_s);
+        lens.insert(colour + u"strength"_s, u"-5"_s);
+    }
+    QVERIFY(rig.perform("camera.lens.set", lens));
+    QVERIFY(rig.perform("camera"));
+    QCOMPARE(rig.board().unknownMessages(), 0);
 }
 
 QTEST_GUILESS_MAIN(TestBcflightDevice)

@@ -429,8 +429,8 @@ void TestToyDevice::conditionsOfActions()
     const auto perform = [&](const QString &key) {
         return performSafely(rig.channel, rig.device, key, {}, history, {}, rig.store.get());
     };
-    // Nothing is known yet: refused.
-    auto done = perform(u"calibrate.level"_s);
+    // Nothing tells it: refused.
+    auto done = performSafely(rig.channel, rig.device, u"calibrate.level"_s, {}, history, {}, nullptr);
     QVERIFY(!done && done.error().code == ErrorCode::ConditionUnmet);
     rig.run(100ms);
     done = perform(u"home"_s);

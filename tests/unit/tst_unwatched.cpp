@@ -336,7 +336,7 @@ void TestUnwatched::missingDataAreNamed()
     QCOMPARE(slow.front().reason, Reason::TooSlow);
     QCOMPARE(slow.front().hertz, 5.0);
     // Nothing comes at all.
-    QCOMPARE(supervisor.unwatched(all, 60).size(), kAlarmKinds - 2);
+    QCOMPARE(supervisor.unwatched(all, 60).size(), kAlarmKinds - 3);
 }
 
 void TestUnwatched::onlySteeredIsNamed()

@@ -18,6 +18,8 @@ namespace {
 constexpr int kSteps = 50;  // from end to end with the keys, when not by single counts
 constexpr int kPositions = 1000;  // of a slider for a value that has no counts, or too many of them
 constexpr double kMaxCounts = 1e6;
+constexpr double kNear = 4;  // times the value from which tuning began
+constexpr double kFromNothing = 1e-3;  // of the range, where that is 0
 
 }  // namespace
 
@@ -27,6 +29,7 @@ LiveSlider::LiveSlider(const ParameterSpec &spec, std::pair<double, double> rang
     , m_spec(spec)
     , m_editor(new ValueEditor(spec, firmware))
     , m_range(range)
+    , m_span(range)
 {
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -55,15 +58,30 @@ LiveSlider::LiveSlider(const ParameterSpec &spec, std::pair<double, double> rang
     });
 }
 
-double LiveSlider::rawAt(int position) const
+// Gains are often a thousandth of what a board accepts: over all of it the smallest step would be many times
+// the gain.
+void LiveSlider::span(double value, std::optional<double> stored)
 {
     const auto [low, high] = m_range;
+    if (m_inCounts || m_spec.row->wire != WireType::F32 || low < 0)
+        return;
+    if (stored)
+        m_reference = stored;
+    else if (!m_reference)
+        m_reference = value;
+    const double most = *m_reference > low ? kNear * (*m_reference - low) : kFromNothing * (high - low);
+    m_span = {low, std::clamp(low + most, std::min(value, high), high)};
+}
+
+double LiveSlider::rawAt(int position) const
+{
+    const auto [low, high] = m_span;
     return m_inCounts ? position : m_spec.clamped(low + (high - low) * position / kPositions);
 }
 
 int LiveSlider::positionOf(double raw) const
 {
-    const auto [low, high] = m_range;
+    const auto [low, high] = m_span;
     const double inside = std::clamp(raw, low, high);
     if (m_inCounts)
         return int(inside);
@@ -76,8 +94,10 @@ void LiveSlider::show(std::optional<double> value, std::optional<double> stored)
     m_editor->show(value, stored);
     if (m_slider) {
         m_slider->setEnabled(value.has_value());
-        if (value && std::isfinite(*value))
+        if (value && std::isfinite(*value)) {
+            span(*value, stored);
             m_slider->setValue(positionOf(*value));
+        }
     }
     m_updating = false;
 }

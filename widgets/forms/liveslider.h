@@ -31,6 +31,8 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    /// Where a float may be far greater than anybody uses, the slider spans what is near.
+    void span(double value, std::optional<double> stored);
     [[nodiscard]] double rawAt(int position) const;
     [[nodiscard]] int positionOf(double raw) const;
 
@@ -38,6 +40,8 @@ private:
     ValueEditor *m_editor;
     QSlider *m_slider = nullptr;
     std::pair<double, double> m_range;
+    std::pair<double, double> m_span;  // of the slider
+    std::optional<double> m_reference;  // that the span was made for
     bool m_inCounts = true;  // a position is a raw count; otherwise a fraction of the range
     bool m_updating = false;
 };

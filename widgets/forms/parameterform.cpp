@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -285,6 +286,9 @@ void ParameterForm::refresh(int parameter)
     shown->setInactive(reason);
     shown->show(m_configuration.value(spec, profile), m_configuration.boardValue(spec, profile),
                 !std::as_const(m_configuration).board().findMissing(spec, profile));
+    shown->showFigure(std::as_const(m_configuration)
+                          .board()
+                          .textFigure(spec, m_configuration.value(spec, profile).value_or(std::nan(""))));
     shown->showRefused(m_edits.refused().text(spec, profile));
 }
 

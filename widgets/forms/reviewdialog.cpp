@@ -2,20 +2,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/forms/reviewdialog.h"
 
+#include "protocol/configuration/linediff.h"
 #include "widgets/models/missingtext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/tablelook.h"
 #include "widgets/theme/theme.h"
 
 #include <QComboBox>
+#include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTableView>
+#include <QTextBlock>
 #include <QVBoxLayout>
 
 using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kAround = 2;  // lines that are the same, before and after a change
+constexpr int kMostLines = 300;
+constexpr int kTabWidth = 4;
+constexpr QSize kSize(760, 460);
+constexpr QSize kSizeWithLines(760, 600);
+
+// Its number in the text that has it, and a sign: what changes is bold beside.
+QString reviewLine(const DiffLine &line)
+{
+    const QString number = u"%1 "_s.arg(line.after > 0 ? line.after : line.before, 4);
+    switch (line.kind) {
+    case DiffLine::Kind::Same: return number + u"  "_s + line.text;
+    case DiffLine::Kind::Added: return number + u"+ "_s + line.text;
+    case DiffLine::Kind::Removed: return number + u"− "_s + line.text;
+    case DiffLine::Kind::Gap: return u"   …"_s;
+    }
+    return {};
+}
+
+}  // namespace
 
 ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edited, const LiveValues &live,
                            QWidget *parent)
@@ -30,7 +57,6 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     , m_write(new QPushButton)
 {
     setWindowTitle(tr("Review and write"));
-    resize(760, 460);
     auto *intro = new QLabel(
         board.missing().empty()
             ? tr("These values go to the board. They are read back and compared, and a copy of all "
@@ -76,11 +102,15 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     connect(m_write, &QPushButton::clicked, this, &QDialog::accept);
     connect(back, &QPushButton::clicked, this, &QDialog::reject);
 
+    makeLines(board, edited);
+    resize(m_lines ? kSizeWithLines : kSize);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(Metric::kMargin, Metric::kMargin, Metric::kMargin, Metric::kMargin);
     layout->setSpacing(Metric::kGap);
     layout->addWidget(intro);
     layout->addWidget(m_table, 1);
+    if (m_lines)
+        layout->addWidget(m_lines, 2);
     layout->addWidget(m_risk);
     layout->addWidget(m_effect);
     layout->addWidget(m_othersText);
@@ -91,6 +121,51 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     updateButton();
     m_table->setFocus();
     m_table->selectRow(0);
+}
+
+// What changes in texts, that they differ says too little.
+void ReviewDialog::makeLines(const Configuration &board, const Configuration &edited)
+{
+    for (const DataChange &change : board.dataChangesTo(edited)) {
+        if (!change.spec->isText() || board.findMissing(change.key))
+            continue;
+        if (!m_lines) {
+            m_lines = new QPlainTextEdit;
+            m_lines->setReadOnly(true);
+            m_lines->setTabChangesFocus(true);
+            m_lines->setLineWrapMode(QPlainTextEdit::NoWrap);
+            m_lines->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+            m_lines->setTabStopDistance(kTabWidth * m_lines->fontMetrics().horizontalAdvance(u' '));
+            m_lines->setAccessibleName(tr("Lines that change"));
+        }
+        const auto add = [this](const QString &text, bool isChanged) {
+            QTextCursor cursor(m_lines->document());
+            cursor.movePosition(QTextCursor::End);
+            if (!m_lines->document()->isEmpty())
+                cursor.insertBlock();
+            QTextCharFormat format;
+            format.setFontWeight(isChanged ? QFont::Bold : QFont::Normal);
+            cursor.insertText(text, format);
+        };
+        const auto around = aroundChanges(lineDiff(change.from, change.to), kAround);
+        const auto told = std::min<std::size_t>(around.size(), kMostLines);
+        add(tableText(change.spec->data) + u':', false);
+        for (std::size_t i = 0; i < told; ++i)
+            add(reviewLine(around[i]),
+                around[i].kind == DiffLine::Kind::Added || around[i].kind == DiffLine::Kind::Removed);
+        if (told < around.size())
+            add(tr("and %n more", nullptr, int(around.size() - told)), false);
+    }
+    if (m_lines)
+        m_lines->moveCursor(QTextCursor::Start);
+}
+
+void ReviewDialog::setFlies(bool flies)
+{
+    if (!flies)
+        return;
+    m_risk->setText(tr("⚠ Some of these values are in the risk class: with a wrong one the drone swings at "
+                       "once when it is armed. Try them with the propellers off, or in a test stand."));
 }
 
 void ReviewDialog::updateButton()

@@ -10,6 +10,7 @@
 
 class QComboBox;
 class QLabel;
+class QPlainTextEdit;
 class QPushButton;
 class QTableView;
 
@@ -24,20 +25,26 @@ public:
 
     /// What is in use and is replaced by what is stored when the board loads what is written.
     void setReplaced(const LiveValues &replaced);
+    /// Nobody holds what flies: then what is said of dangerous values is about a drone.
+    void setFlies(bool flies);
     /// The configuration with the ticked changes.
     [[nodiscard]] Configuration chosen() const { return m_changes.ticked(); }
     /// What becomes of values in use that are not among them.
     [[nodiscard]] OtherValues others() const;
     [[nodiscard]] QComboBox *othersChoice() const { return m_others; }
     [[nodiscard]] QTableView *table() const { return m_table; }
+    /// The lines of texts that change; null without any.
+    [[nodiscard]] QPlainTextEdit *lines() const { return m_lines; }
     [[nodiscard]] QPushButton *writeButton() const { return m_write; }
 
 private:
     void updateButton();
     void updateOthers();
+    void makeLines(const Configuration &board, const Configuration &edited);
 
     ChangeModel m_changes;
     QTableView *m_table;
+    QPlainTextEdit *m_lines = nullptr;
     QLabel *m_risk;
     LiveValues m_live;
     bool m_areReplaced = false;

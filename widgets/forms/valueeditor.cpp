@@ -5,6 +5,7 @@
 #include "widgets/forms/flagsbutton.h"
 #include "widgets/forms/latebutton.h"
 #include "widgets/forms/parameterbox.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/theme.h"
 
@@ -77,11 +78,22 @@ ValueEditor::ValueEditor(const ParameterSpec &spec, int firmware, QWidget *paren
     policy.setRetainSizeWhenHidden(true);
     m_reset->setSizePolicy(policy);
     m_reset->setFixedWidth(kResetWidth);
-    auto *layout = new QHBoxLayout(this);
+    auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(m_control, 1);
-    layout->addWidget(m_reset);
+    auto *line = new QHBoxLayout;
+    line->setSpacing(0);
+    line->addWidget(m_control, 1);
+    line->addWidget(m_reset);
+    layout->addLayout(line);
+    if (!spec.row->textFigure)
+        return;
+    m_figure = new QLabel;
+    m_figure->setObjectName(u"muted"_s);
+    m_figure->setAlignment(Qt::AlignRight);
+    m_figure->setContentsMargins(0, 0, kResetWidth + Metric::kUnit, 0);
+    layout->addWidget(m_figure);
+    showFigure({});
 }
 
 QWidget *ValueEditor::makeNumber()
@@ -178,6 +190,15 @@ void ValueEditor::show(std::optional<double> value, std::optional<double> onBoar
                           + u"%1\n%2%3%4"_s.arg(tableText(m_spec.row->help), parameterRangeText(m_spec),
                                                 changed ? tr("\nOn the board: %1").arg(board) : QString(),
                                                 inactive));
+}
+
+void ValueEditor::showFigure(std::optional<double> figure)
+{
+    if (!m_figure)
+        return;
+    m_figure->setText(figure ? tr("%1 in the text").arg(shortNumberText(*figure))
+                             : tr("not told by the text"));
+    m_figure->setToolTip(tr("The text that the board keeps has another number for this value."));
 }
 
 std::optional<QString> ValueEditor::refusedText() const

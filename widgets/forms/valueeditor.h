@@ -26,6 +26,9 @@ public:
     /// Shows a value and what the board has; empty = the board did not deliver it.
     /// @param isKnown the board has it now, by all that is known
     void show(std::optional<double> value, std::optional<double> onBoard, bool isKnown = true);
+    /// The number that stands for the value in a text of the board (ParameterRow::textFigure), beneath it;
+    /// empty: the text does not tell. Without such numbers there is no place for one.
+    void showFigure(std::optional<double> figure);
     /// What was typed and is no value, for as long as it stands there.
     [[nodiscard]] std::optional<QString> refusedText() const;
     /// Puts such a text back, or the value in the place of one.
@@ -65,6 +68,7 @@ private:
     FlagsButton *m_flags = nullptr;
     QMenu *m_flagsMenu = nullptr;
     LateButton *m_reset;
+    QLabel *m_figure = nullptr;
     QString m_inactive;
     double m_raw = 0;
     double m_boardRaw = 0;

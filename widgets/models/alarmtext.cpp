@@ -97,8 +97,10 @@ QString seen(const Alarm &alarm)
                   .arg(numberText(alarm.value, 1), numberText(alarm.limit, 1))
             : AlarmText::tr("The board reports a low battery: %1 V.").arg(numberText(alarm.value, 1));
     case AlarmKind::Stale:
-        return AlarmText::tr("No new live data for more than %1 s while the gimbal is steered.")
+        return AlarmText::tr("No new live data for more than %1 s while it is steered.")
             .arg(numberText(alarm.value, 1));
+    case AlarmKind::Disarmed:
+        return AlarmText::tr("The motors are driven although the drone says that it is disarmed.");
     case AlarmKind::Count: break;
     }
     return {};
@@ -160,6 +162,9 @@ QString meant(const Alarm &alarm)
     case AlarmKind::Battery:
         return AlarmText::tr("When it is empty the motors let go, and what they hold falls.");
     case AlarmKind::Stale: return AlarmText::tr("Nobody sees where it moves.");
+    case AlarmKind::Disarmed:
+        return AlarmText::tr(
+            "Something has let its outputs go on: a link that closed while it was armed, or a motor test.");
     case AlarmKind::Count: break;
     }
     return {};
@@ -195,6 +200,7 @@ QString cure(const Alarm &alarm)
     case AlarmKind::Heat: return AlarmText::tr("Let it cool, balance the load, and lower the power.");
     case AlarmKind::Battery: return AlarmText::tr("Change the battery.");
     case AlarmKind::Stale: return AlarmText::tr("Stop steering, then check the link and the board.");
+    case AlarmKind::Disarmed: return AlarmText::tr("Stop the motors, and keep clear of the propellers.");
     case AlarmKind::Count: break;
     }
     return {};
@@ -261,6 +267,7 @@ QString alarmName(AlarmKind kind)
     case AlarmKind::Heat: return AlarmText::tr("Overheating");
     case AlarmKind::Battery: return AlarmText::tr("Low battery");
     case AlarmKind::Stale: return AlarmText::tr("No data while steering");
+    case AlarmKind::Disarmed: return AlarmText::tr("Motors driven while disarmed");
     case AlarmKind::Count: break;
     }
     return {};

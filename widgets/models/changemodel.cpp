@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/changemodel.h"
 
+#include "protocol/configuration/linediff.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QSet>
@@ -21,11 +22,19 @@ ChangeModel::ChangeModel(Configuration board, Configuration edited, QObject *par
     std::stable_partition(m_rows.begin(), m_rows.end(),
                           [](const Row &row) { return row.change.spec->row->risk == Risk::Red; });
     for (const DataChange &change : m_board.dataChangesTo(m_edited))
-        m_rows.push_back({{nullptr, change.key.profile, 0, 0}, change, true});
+        m_rows.push_back({{nullptr, change.key.profile, 0, 0}, change, true, linesText(change)});
     for (int profile = 0; profile < m_board.identity().profileCount; ++profile) {
         if (m_board.profileNames().value(profile) != m_edited.profileNames().value(profile))
             m_rows.push_back({{nullptr, profile, 0, 0}, {}, true});
     }
+}
+
+QString ChangeModel::linesText(const DataChange &change) const
+{
+    if (!change.spec->isText() || m_board.findMissing(change.key))
+        return {};
+    const auto [added, removed] = countChanges(lineDiff(change.from, change.to));
+    return tr("+%1 −%2 lines").arg(added).arg(removed);
 }
 
 QVariant ChangeModel::data(const QModelIndex &index, int role) const
@@ -48,7 +57,8 @@ QVariant ChangeModel::data(const QModelIndex &index, int role) const
         return index.column() == NameColumn ? tableText(row.data.spec->data)
             : index.column() == BoardColumn
             ? (m_board.findMissing(row.data.key) ? unknownText() : tr("as on the board"))
-            : tr("changed");
+            : row.lines.isEmpty() ? tr("changed")
+                                  : row.lines;
     }
     switch (index.column()) {
     case NameColumn:

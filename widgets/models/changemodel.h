@@ -32,12 +32,14 @@ signals:
     void ticksChanged();
 
 private:
+    [[nodiscard]] QString linesText(const DataChange &change) const;
     [[nodiscard]] int rows() const override { return int(m_rows.size()); }
     struct Row
     {
         ParameterChange change;  // spec is null for a profile's name, and for data
         DataChange data = {};  // spec is null for everything else
         bool ticked = true;
+        QString lines = {};  // of a text: how many change
     };
     Configuration m_board;  // copies: reconnecting must not change the values during a review
     Configuration m_edited;

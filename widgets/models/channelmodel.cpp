@@ -126,7 +126,7 @@ QVariant ChannelModel::data(const QModelIndex &index, int role) const
     if (role == Qt::TextAlignmentRole && index.column() == ValueColumn)
         return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::ToolTipRole)
-        return QString::fromLatin1(spec.key);
+        return toolTip(channel);
     if (role != Qt::DisplayRole)
         return {};
     switch (index.column()) {
@@ -142,6 +142,16 @@ QVariant ChannelModel::data(const QModelIndex &index, int role) const
     case UnitColumn: return QString::fromUtf8(spec.unit);
     default: return {};
     }
+}
+
+QString ChannelModel::toolTip(int channel) const
+{
+    const QString key = QString::fromLatin1(m_table[std::size_t(channel)].key);
+    const quint64 invalid = m_store ? m_store->invalid(channel) : 0;
+    return invalid == 0 ? key
+                        : key + u'\n'
+            + tr("%n value(s) came that are no numbers, or not initialised; they are gaps.", nullptr,
+                 int(std::min<quint64>(invalid, INT_MAX)));
 }
 
 bool ChannelModel::setData(const QModelIndex &index, const QVariant &value, int role)

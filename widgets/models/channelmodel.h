@@ -45,6 +45,7 @@ signals:
     void ticksChanged();
 
 private:
+    [[nodiscard]] QString toolTip(int channel) const;
     struct Group
     {
         const char *name;

@@ -69,11 +69,11 @@ constexpr auto kErrors = std::to_array<ErrorRow>({
     {ErrorCode::SilentPeer,
      QT_TRANSLATE_NOOP("ErrorText", "The connection stands, but no board answers."),
      QT_TRANSLATE_NOOP("ErrorText", "Not one byte came back."),
-     QT_TRANSLATE_NOOP("ErrorText", "Check that this is the gimbal's address and port, that the board behind it has power, and that nobody else is connected to it.")},
+     QT_TRANSLATE_NOOP("ErrorText", "Check that this is the board's address and port, that the board behind it has power, and that nobody else is connected to it.")},
     {ErrorCode::Garbage,
      QT_TRANSLATE_NOOP("ErrorText", "Bytes arrive, but they make no sense."),
      QT_TRANSLATE_NOOP("ErrorText", "The rate is unknown, the cable is disturbed, or it is another kind of device."),
-     QT_TRANSLATE_NOOP("ErrorText", "Check cable and ground, and that this is the gimbal's port.")},
+     QT_TRANSLATE_NOOP("ErrorText", "Check cable and ground, and that this is the board's port.")},
     {ErrorCode::WrongProtocol,
      QT_TRANSLATE_NOOP("ErrorText", "This device speaks another protocol."),
      QT_TRANSLATE_NOOP("ErrorText", "It is not a board of the chosen family."),
@@ -480,11 +480,29 @@ ErrorText describe(const WriteReport &report)
     return text;
 }
 
+namespace {
+
+constexpr QLatin1String kTextBlock("CONFIG_FILE");
+
+// Parts of a board whose names are of its protocol; where there are no words, the name says it.
+QString subjectText(const QString &subject)
+{
+    if (subject == kTextBlock)
+        return Words::tr("configuration text");
+    if (subject == QLatin1String("GAINS"))
+        return Words::tr("gains");
+    if (subject == QLatin1String("PARAMETERS"))
+        return Words::tr("parameters");
+    return subject;
+}
+
+}  // namespace
+
 QString describe(const Progress &progress)
 {
-    const QString subject = progress.profile < 0
-        ? progress.subject
-        : Words::tr("%1 of profile %2").arg(progress.subject).arg(progress.profile + 1);
+    const QString part = subjectText(progress.subject);
+    const QString subject
+        = progress.profile < 0 ? part : Words::tr("%1 of profile %2").arg(part).arg(progress.profile + 1);
     if (progress.step == u"probe"_s) {
         return subject.isEmpty() ? Words::tr("Looking for a board")
                                  : Words::tr("Looking for a board at %1").arg(subject);
@@ -493,6 +511,8 @@ QString describe(const Progress &progress)
         return Words::tr("Reading %1").arg(subject);
     if (progress.step == u"write-block"_s)
         return Words::tr("Writing %1").arg(subject);
+    if (progress.step == u"await-restart"_s && progress.subject == kTextBlock)
+        return Words::tr("The configuration text is written; waiting for the drone to restart");
     if (progress.step == u"await-restart"_s)
         return Words::tr("%1 is written; waiting for the board to restart").arg(subject);
     if (progress.step == u"verify-block"_s)
@@ -505,8 +525,16 @@ QString describe(const Progress &progress)
         return Words::tr("Calibrating: leave the drone alone");
     if (progress.step == u"motor-test"_s)
         return Words::tr("The motor is tested; the drone hears nothing meanwhile");
-    if (progress.step == u"escs"_s)
-        return Words::tr("The motor controllers are calibrated; the drone hears nothing meanwhile");
+    if (progress.step == u"escs-off"_s)
+        return Words::tr("Motor controllers: no signal; the drone hears nothing for 26 s");
+    if (progress.step == u"escs-full"_s)
+        return Words::tr("Motor controllers: FULL THROTTLE; the drone hears nothing");
+    if (progress.step == u"escs-zero"_s)
+        return Words::tr("Motor controllers: zero; the drone hears nothing");
+    if (progress.step == u"firmware-upload"_s)
+        return Words::tr("Uploading the firmware");
+    if (progress.step == u"firmware-restart"_s)
+        return Words::tr("The firmware is on the drone; waiting for its restart. Do not switch it off");
     if (progress.step == u"place-sensor"_s)
         return Words::tr("Lay the sensor still on one of its faces");
     if (progress.step == u"level-camera"_s)

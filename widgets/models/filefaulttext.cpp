@@ -22,7 +22,7 @@ class FileWords
 };
 
 // In the order of FileKind.
-constexpr std::array<const char *, 12> kKinds{
+constexpr std::array<const char *, 13> kKinds{
     QT_TRANSLATE_NOOP("FileFault", "a configuration"),
     QT_TRANSLATE_NOOP("FileFault", "a recording"),
     QT_TRANSLATE_NOOP("FileFault", "a settings file of the manufacturer's program"),
@@ -30,6 +30,7 @@ constexpr std::array<const char *, 12> kKinds{
     QT_TRANSLATE_NOOP("FileFault", "a measurement (two columns of numbers)"),
     QT_TRANSLATE_NOOP("FileFault", "a script"),
     QT_TRANSLATE_NOOP("FileFault", "a text in UTF-8"),
+    QT_TRANSLATE_NOOP("FileFault", "a firmware"),
     QT_TRANSLATE_NOOP("FileFault", "a list of unwritten edits"),
     QT_TRANSLATE_NOOP("FileFault", "the list of boards"),
     QT_TRANSLATE_NOOP("FileFault", "a layout of plots"),

@@ -266,6 +266,7 @@ void LiveModel::flush()
     if (m_writing || m_wanted.isEmpty())
         return;
     m_writing = true;
+    emit sending();
     std::vector<AdjustableValue> values;
     std::vector<AdjustableValue> back;
     for (auto it = m_wanted.begin(); it != m_wanted.end(); ++it) {

@@ -73,6 +73,8 @@ public:
     [[nodiscard]] int slotDifference() const;
 
 signals:
+    /// Values are about to be put into use.
+    void sending();
     /// Another board or profile: all values are new.
     void modelReset();
     void valueChanged(int parameter);

@@ -112,14 +112,17 @@ void PlotView::setCurves(ChannelTable table, const QList<Curve> &curves,
                          std::shared_ptr<const TelemetryStore> store)
 {
     m_table = table;
-    m_curves = curves;
+    m_curves.clear();
     m_store = std::move(store);
     m_generation = -1;
     m_traces.traces().clear();
-    for (qsizetype i = 0; i < curves.size(); ++i) {
+    for (const Curve &curve : curves) {
+        if (curve.channel < 0 || std::size_t(curve.channel) >= table.size())
+            continue;
+        m_curves.append(curve);
         TraceImage::Trace trace;
-        trace.channel = curves[i].channel;
-        trace.minus = curves[i].minus;
+        trace.channel = curve.channel;
+        trace.minus = curve.minus;
         m_traces.traces().push_back(std::move(trace));
     }
     makeAxes();

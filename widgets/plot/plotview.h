@@ -37,7 +37,8 @@ public:
     PlotView(const Theme &theme, QWidget *parent = nullptr);
     ~PlotView() override;
 
-    /// Which channels to show. The table must outlive the view's use of it.
+    /// Which channels to show; what is none of the table's (a role that this board has not) is left out. The
+    /// table must outlive the view's use of it.
     void setChannels(ChannelTable table, const QList<int> &channels,
                      std::shared_ptr<const TelemetryStore> store);
     void setCurves(ChannelTable table, const QList<Curve> &curves,

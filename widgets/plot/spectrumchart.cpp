@@ -84,6 +84,7 @@ void SpectrumChart::setSpectra(const std::vector<SpectrumCurve> &spectra, const 
         curve.axis = spectra[i].axis;
         curve.color = int(i);
         curve.strength = spectra[i].earlier ? kEarlier : 1.0;
+        curve.style = spectra[i].isBoards ? Qt::DashLine : Qt::SolidLine;
         highest = std::max(highest, spectra[i].spectrum.rate / 2);
         for (const QPointF &point : curve.points) {
             low = std::min(low, point.y());

@@ -12,6 +12,7 @@ struct SpectrumCurve
     Axis axis = Axis::None;
     Spectrum spectrum;
     bool earlier = false;  ///< kept for comparison: drawn faintly
+    bool isBoards = false;  ///< the board has computed it: drawn dashed
 };
 
 /// How spectra are drawn.

@@ -60,7 +60,7 @@ QFrame#alarmCard { background: @SurfaceRaised; border: 1px solid @Danger; border
 QFrame#alarmCard[over="true"] { border-color: @Border; }
 QFrame#offerBar { background: @Surface; border: 1px solid @Accent; border-left: 4px solid @Accent; border-radius: 4px; }
 QListView#navigation { background: @Surface; border: none; border-radius: 0; border-right: 1px solid @Border; outline: none; padding: 8px 0; }
-QListView#navigation::item { padding: 6px 12px; color: @Text; border: none; border-left: 4px solid @Surface; }
+QListView#navigation::item { padding: 5px 12px; color: @Text; border: none; border-left: 4px solid @Surface; }
 QListView#navigation::item:selected { background: @SurfaceRaised; color: @Accent; border-left: 4px solid @Accent; }
 QListView#navigation::item:disabled { color: @Muted; padding: 8px 12px 2px 12px; }
 QListView#navigation:focus { border: none; border-right: 2px solid @Accent; }
@@ -122,7 +122,7 @@ QLineEdit:disabled, QComboBox:disabled, QAbstractSpinBox:disabled { color: @Mute
 QAbstractSpinBox[inactive="true"], QComboBox[inactive="true"], QPushButton[inactive="true"] { color: @Muted; background: @Background; }
 QAbstractSpinBox[changed="true"], QComboBox[changed="true"], QPushButton[changed="true"] { border-left: 4px solid @Changed; }
 QAbstractSpinBox[changed="true"]:focus, QComboBox[changed="true"]:focus { border: 2px solid @Accent; border-left: 4px solid @Changed; }
-QAbstractSpinBox[refused="true"], QAbstractSpinBox[refused="true"]:focus { border: 2px solid @Danger; padding: 1px 5px; color: @Danger; }
+QAbstractSpinBox[refused="true"], QAbstractSpinBox[refused="true"]:focus, QLineEdit[refused="true"], QLineEdit[refused="true"]:focus { border: 2px solid @Danger; padding: 1px 5px; color: @Danger; }
 QToolButton#hint { background: @Danger; color: @DangerText; border: none; border-radius: 4px; padding: 2px 8px; min-height: 0; }
 QCheckBox, QRadioButton { border: 2px solid transparent; border-radius: 4px; }
 QCheckBox[changed="true"] { border-left: 4px solid @Changed; padding-left: 4px; }
@@ -145,6 +145,12 @@ QSlider::sub-page:horizontal:disabled { background: @Border; }
 QSlider::handle:horizontal { width: 14px; height: 14px; margin: -6px 0; border-radius: 7px; background: @Accent; border: 1px solid @Surface; }
 QSlider::handle:horizontal:focus { border: 3px solid @Text; margin: -7px -1px; }
 QSlider::handle:horizontal:disabled { background: @Muted; }
+QSlider::groove:vertical { width: 4px; border-radius: 2px; background: @Border; }
+QSlider::add-page:vertical { width: 4px; border-radius: 2px; background: @Accent; }
+QSlider::add-page:vertical:disabled { background: @Border; }
+QSlider::handle:vertical { width: 14px; height: 14px; margin: 0 -6px; border-radius: 7px; background: @Accent; border: 1px solid @Surface; }
+QSlider::handle:vertical:focus { border: 3px solid @Text; margin: -1px -7px; }
+QSlider::handle:vertical:disabled { background: @Muted; }
 QTextBrowser { background: @Surface; border: 1px solid @Border; border-radius: 4px; }
 QTextBrowser:focus, QListView:focus, QTreeView:focus, QTableView:focus { border: 2px solid @Accent; }
 QSplitter::handle { background: @Background; }

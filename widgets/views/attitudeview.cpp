@@ -8,6 +8,7 @@
 #include <QPainterPath>
 
 #include <cmath>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -24,8 +25,15 @@ AttitudeView::AttitudeView(const Theme &theme, QWidget *parent)
     , m_theme(theme)
 {
     setAccessibleName(tr("Attitude of the camera"));
+    setPlaceholder(tr("No attitude yet"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     connect(&m_theme, &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+void AttitudeView::setPlaceholder(const QString &text)
+{
+    if (std::exchange(m_placeholder, text) != text)
+        update();
 }
 
 void AttitudeView::setAttitude(double roll, double pitch, double yaw)
@@ -33,7 +41,8 @@ void AttitudeView::setAttitude(double roll, double pitch, double yaw)
     m_valid = !std::isnan(roll) && !std::isnan(pitch);
     m_roll = roll;
     m_pitch = pitch;
-    m_yaw = std::isnan(yaw) ? 0.0 : yaw;
+    m_hasHeading = !std::isnan(yaw);
+    m_yaw = m_hasHeading ? yaw : 0.0;
     setAccessibleDescription(m_valid ? tr("Roll %1°, pitch %2°, yaw %3°")
                                            .arg(numberText(roll, 1))
                                            .arg(numberText(pitch, 1))
@@ -86,10 +95,20 @@ void AttitudeView::paintEvent(QPaintEvent *)
         painter.drawEllipse(center, 3, 3);
     } else {
         painter.setPen(m_theme.color(ColorRole::Muted));
-        painter.drawText(area, Qt::AlignCenter, tr("No attitude yet"));
+        painter.drawText(area, Qt::AlignCenter | Qt::TextWordWrap, m_placeholder);
     }
 
-    // Heading strip at the top.
+    if (m_valid || m_hasHeading)
+        drawHeading(painter, area);
+    painter.setClipping(false);
+    painter.setPen(QPen(m_theme.color(ColorRole::Border), 1));
+    painter.drawPath(frame);
+}
+
+// A strip at the top.
+void AttitudeView::drawHeading(QPainter &painter, const QRectF &area) const
+{
+    const QPointF center = area.center();
     const QRectF strip(area.left(), area.top(), area.width(), 24);
     QColor veil = m_theme.color(ColorRole::Surface);
     veil.setAlpha(220);
@@ -109,7 +128,4 @@ void AttitudeView::paintEvent(QPaintEvent *)
     }
     painter.setPen(QPen(m_theme.axisColor(Axis::Yaw), 2));
     painter.drawLine(QPointF(center.x(), strip.bottom() - 2), QPointF(center.x(), strip.bottom() + 8));
-    painter.setClipping(false);
-    painter.setPen(QPen(m_theme.color(ColorRole::Border), 1));
-    painter.drawPath(frame);
 }

@@ -46,6 +46,12 @@ void ControlPad::reset()
     setValue({});
 }
 
+void ControlPad::steer(QPointF value)
+{
+    if (!isHeld())
+        setValue(value);
+}
+
 void ControlPad::setValue(QPointF value)
 {
     value = {std::clamp(value.x(), -1.0, 1.0), std::clamp(value.y(), -1.0, 1.0)};

@@ -20,6 +20,8 @@ public:
     /// Springs back to the middle when let go (speed), or stays (angle).
     void setSprings(bool on);
     void reset();
+    /// Moves the knob as another input would, unless it is held here.
+    void steer(QPointF value);
     /// The widget will not be told of a button that comes up after this.
     [[nodiscard]] static bool endsDrag(const QWidget &widget, const QEvent &event);
     void setLabels(const QString &horizontal, const QString &vertical);

@@ -2,21 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/views/scripteditor.h"
 
-#include <QFontDatabase>
-#include <QKeyEvent>
 #include <QSet>
 #include <Qsci/qsciapis.h>
 #include <Qsci/qscilexercustom.h>
-#include <Qsci/qscistyle.h>
+
+#include <array>
 
 using namespace Qt::StringLiterals;
 
 namespace {
 
 enum Style { PlainStyle, WordStyle, NumberStyle, StringStyle, CommentStyle, StyleCount };
-
-constexpr int kMistakeMarker = 3;
-constexpr int kNumberMargin = 0;
 
 }  // namespace
 
@@ -92,70 +88,26 @@ private:
 };
 
 ScriptEditor::ScriptEditor(Theme &theme, QWidget *parent)
-    : QsciScintilla(parent)
-    , m_theme(theme)
+    : CodeEditor(theme, parent)
     , m_lexer(new Lexer(this))
     , m_apis(new QsciAPIs(m_lexer))
 {
     setLexer(m_lexer);
-    setUtf8(true);
-    setMarginType(kNumberMargin, NumberMargin);
-    setMarginLineNumbers(kNumberMargin, true);
-    setMarginWidth(1, 0);
     setAutoCompletionSource(AcsAPIs);
     setAutoCompletionThreshold(2);
     setAutoCompletionCaseSensitivity(false);
-    setCaretLineVisible(true);
-    setTabWidth(2);
-    setIndentationsUseTabs(false);
-    setAutoIndent(true);
-    setWrapMode(WrapNone);
-    setFrameShape(QFrame::StyledPanel);
-    setAnnotationDisplay(AnnotationBoxed);
-    markerDefine(Background, kMistakeMarker);
-    SendScintilla(SCI_SETSCROLLWIDTHTRACKING, 1);
-    SendScintilla(SCI_SETSCROLLWIDTH, 1);
-    connect(&theme, &Theme::changed, this, &ScriptEditor::applyTheme);
-    applyTheme();
+    followTheme();
 }
 
-ScriptEditor::~ScriptEditor()
+void ScriptEditor::colorLexer(const QFont &font)
 {
-    setLexer(nullptr);  // it is destroyed with the children, after this class
-}
-
-void ScriptEditor::applyTheme()
-{
-    const QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-    const auto color = [this](ColorRole role) { return m_theme.color(role); };
-    m_lexer->setDefaultFont(font);
-    m_lexer->setDefaultPaper(color(ColorRole::Surface));
-    m_lexer->setDefaultColor(color(ColorRole::Text));
-    const std::array<QColor, StyleCount> colors{color(ColorRole::Text), color(ColorRole::Accent),
-                                                color(ColorRole::AxisPitch), color(ColorRole::AxisRoll),
-                                                color(ColorRole::Muted)};
+    constexpr std::array<ColorRole, StyleCount> kRoles{
+        ColorRole::Text, ColorRole::Accent, ColorRole::AxisPitch, ColorRole::AxisRoll, ColorRole::Muted};
     for (int style = 0; style < StyleCount; ++style) {
-        m_lexer->setColor(colors[std::size_t(style)], style);
-        m_lexer->setPaper(color(ColorRole::Surface), style);
         QFont styled = font;
         styled.setBold(style == WordStyle);
-        m_lexer->setFont(styled, style);
+        colorStyle(style, kRoles[std::size_t(style)], styled);
     }
-    setPaper(color(ColorRole::Surface));
-    setColor(color(ColorRole::Text));
-    setCaretForegroundColor(color(ColorRole::Text));
-    setCaretLineBackgroundColor(color(ColorRole::SurfaceRaised));
-    setMarginsBackgroundColor(color(ColorRole::Background));
-    setMarginsForegroundColor(color(ColorRole::Muted));
-    setMarginsFont(font);
-    setMarginWidth(kNumberMargin, u"0000"_s);
-    setSelectionBackgroundColor(color(ColorRole::Accent));
-    setSelectionForegroundColor(color(ColorRole::AccentText));
-    QColor wrong = color(ColorRole::Danger);
-    wrong.setAlpha(50);
-    setMarkerBackgroundColor(wrong, kMistakeMarker);
-    if (m_mistake > 0)
-        showMistake(m_mistake, m_mistakeText);
 }
 
 void ScriptEditor::setWords(const QStringList &words)
@@ -166,44 +118,4 @@ void ScriptEditor::setWords(const QStringList &words)
         m_apis->add(word);
     m_apis->prepare();
     recolor();
-}
-
-void ScriptEditor::showMistake(int line, const QString &text)
-{
-    markerDeleteAll(kMistakeMarker);
-    clearAnnotations();
-    m_mistake = line;
-    m_mistakeText = text;
-    if (line < 1 || line > lines())
-        return;
-    markerAdd(line - 1, kMistakeMarker);
-    const QsciStyle style(-1, u"mistake"_s, m_theme.color(ColorRole::Danger),
-                          m_theme.color(ColorRole::Surface),
-                          QFontDatabase::systemFont(QFontDatabase::GeneralFont));
-    annotate(line - 1, text, style);
-}
-
-// Tab leaves the editor, as it leaves every other field; scripts need none.
-void ScriptEditor::keyPressEvent(QKeyEvent *event)
-{
-    const bool completing = isListActive();
-    if (!completing && (event->key() == Qt::Key_Tab || event->key() == Qt::Key_Backtab)) {
-        // The editor's own refuses. NOLINTNEXTLINE(bugprone-parent-virtual-call)
-        QAbstractScrollArea::focusNextPrevChild(event->key() == Qt::Key_Tab);
-        return;
-    }
-    QsciScintilla::keyPressEvent(event);
-}
-
-bool ScriptEditor::event(QEvent *event)
-{
-    // Undo here is that of the text while it has the focus.
-    if (event->type() == QEvent::ShortcutOverride) {
-        const auto *key = static_cast<QKeyEvent *>(event);
-        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
-            event->accept();
-            return true;
-        }
-    }
-    return QsciScintilla::event(event);
 }

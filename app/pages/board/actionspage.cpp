@@ -21,6 +21,9 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <iterator>
+
 using namespace Qt::StringLiterals;
 
 namespace {
@@ -42,12 +45,65 @@ QString replyText(const QVariant &value)
     return value.toString();
 }
 
+struct ReplyWord
+{
+    const char *key;
+    const char *label;
+};
+
+// What an action's reply counts, by its keys of all families. What has no words here is what the board itself
+// calls it, e.g. a sensor's name.
+// clang-format off
+constexpr ReplyWord kReplyWords[] = {
+    {"armed", QT_TRANSLATE_NOOP("ActionsPage", "Armed")},
+    {"band", QT_TRANSLATE_NOOP("ActionsPage", "Band")},
+    {"battery.charge", QT_TRANSLATE_NOOP("ActionsPage", "Charge drawn")},
+    {"battery.current", QT_TRANSLATE_NOOP("ActionsPage", "Current")},
+    {"battery.level", QT_TRANSLATE_NOOP("ActionsPage", "Battery level")},
+    {"battery.voltage", QT_TRANSLATE_NOOP("ActionsPage", "Battery voltage")},
+    {"before", QT_TRANSLATE_NOOP("ActionsPage", "Before")},
+    {"bytes", QT_TRANSLATE_NOOP("ActionsPage", "Bytes")},
+    {"calibrated", QT_TRANSLATE_NOOP("ActionsPage", "Calibrated")},
+    {"calibrating", QT_TRANSLATE_NOOP("ActionsPage", "Being calibrated")},
+    {"changed", QT_TRANSLATE_NOOP("ActionsPage", "Values changed")},
+    {"channel", QT_TRANSLATE_NOOP("ActionsPage", "Channel")},
+    {"confirmed", QT_TRANSLATE_NOOP("ActionsPage", "Confirmed")},
+    {"cpu.load", QT_TRANSLATE_NOOP("ActionsPage", "Processor load")},
+    {"cpu.temperature", QT_TRANSLATE_NOOP("ActionsPage", "Processor temperature")},
+    {"errors", QT_TRANSLATE_NOOP("ActionsPage", "Errors")},
+    {"exposure", QT_TRANSLATE_NOOP("ActionsPage", "Exposure mode")},
+    {"firmware", QT_TRANSLATE_NOOP("ActionsPage", "Firmware")},
+    {"frequency", QT_TRANSLATE_NOOP("ActionsPage", "Frequency")},
+    {"iso", QT_TRANSLATE_NOOP("ActionsPage", "Sensitivity (ISO)")},
+    {"mode", QT_TRANSLATE_NOOP("ActionsPage", "Mode")},
+    {"power", QT_TRANSLATE_NOOP("ActionsPage", "Power step")},
+    {"power.dbm", QT_TRANSLATE_NOOP("ActionsPage", "Power")},
+    {"powers", QT_TRANSLATE_NOOP("ActionsPage", "Powers it has (dBm)")},
+    {"restarts_in", QT_TRANSLATE_NOOP("ActionsPage", "Restarts in")},
+    {"rx.dbm", QT_TRANSLATE_NOOP("ActionsPage", "Receive level")},
+    {"rx.quality", QT_TRANSLATE_NOOP("ActionsPage", "Receive quality")},
+    {"shutter", QT_TRANSLATE_NOOP("ActionsPage", "Shutter")},
+    {"state", QT_TRANSLATE_NOOP("ActionsPage", "State")},
+    {"temperature", QT_TRANSLATE_NOOP("ActionsPage", "Temperature")},
+    {"text", QT_TRANSLATE_NOOP("ActionsPage", "Text")},
+    {"voltage", QT_TRANSLATE_NOOP("ActionsPage", "Voltage")},
+    {"white_balance", QT_TRANSLATE_NOOP("ActionsPage", "White balance")},
+};
+// clang-format on
+
+QString replyLabel(const QString &key)
+{
+    const auto word = std::find_if(std::begin(kReplyWords), std::end(kReplyWords),
+                                   [&key](const ReplyWord &each) { return key == QLatin1String(each.key); });
+    return word == std::end(kReplyWords) ? key : ActionsPage::tr(word->label);
+}
+
 }  // namespace
 
 QString riskText(ActionRisk risk)
 {
     switch (risk) {
-    case ActionRisk::Safe: return ActionsPage::tr("Changes nothing");
+    case ActionRisk::Safe: return ActionsPage::tr("Changes nothing that is stored");
     case ActionRisk::Moves:
         return ActionsPage::tr("⚠ Can move the camera or change how it is held, until the next start");
     case ActionRisk::Writes: return ActionsPage::tr("⚠ Changes permanent memory; a snapshot is taken first");
@@ -294,7 +350,7 @@ void ActionsPage::performNow(const ActionSpec &action, const QVariantMap &argume
             for (auto it = outcome->reply.begin(); it != outcome->reply.end(); ++it) {
                 html += u"<tr><td style='padding:2px 16px 2px 0'>%1</td>"
                         "<td style='padding:2px 0'>%2 %3</td></tr>"_s.arg(
-                            it.key().toHtmlEscaped(), replyText(it.value()).toHtmlEscaped(),
+                            replyLabel(it.key()).toHtmlEscaped(), replyText(it.value()).toHtmlEscaped(),
                             replyUnit(action, it.key()));
             }
             html += u"</table>"_s;

@@ -3,6 +3,7 @@
 #include "app/pages/board/controlpage.h"
 
 #include "app/pages/board/functionscard.h"
+#include "app/pages/board/gamepadsteering.h"
 #include "app/workspace/unwatchednote.h"
 #include "protocol/session/controlstream.h"
 #include "protocol/telemetry/telemetrystore.h"
@@ -31,9 +32,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr auto kSendPeriod = 50ms;  // well below the dead-man limit of 250 ms
 constexpr auto kRefreshPeriod = 100ms;
-constexpr int kSliderSteps = 100;
 constexpr double kPitchReach = 45.0;  // angle at the rim of the pad, unless the family specifies another
 constexpr double kYawReach = 90.0;
 
@@ -55,6 +54,7 @@ ControlPage::ControlPage(Workspace &workspace, QWidget *parent)
     , m_now(new QLabel)
     , m_attitude(new AttitudeView(workspace.theme()))
     , m_functions(new FunctionsCard(workspace))
+    , m_gamepad(new GamepadSteering(workspace, this))
 {
     makeHeader();
     makeBody();
@@ -77,6 +77,7 @@ void ControlPage::makeHeader()
         tr("While armed the camera moves as you steer. Let go, leave this page or press Esc to end it."));
     m_mode->setAccessibleName(tr("Mode of control"));
     m_mode->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // its modes come with the board
+    header()->addWidget(m_gamepad->choice());
     header()->addWidget(m_mode);
     header()->addWidget(m_arm);
 }
@@ -130,6 +131,7 @@ Card *ControlPage::makeSteerCard()
     grid->addWidget(m_speedText, 1, 2);
     grid->setColumnStretch(1, 1);
     steer->content()->addLayout(grid);
+    steer->content()->addWidget(m_gamepad->note());
     return steer;
 }
 
@@ -191,6 +193,7 @@ void ControlPage::connectAll()
     connect(m_center, &QPushButton::clicked, this, &ControlPage::center);
     connect(m_neverPanned, &QCheckBox::toggled, this, &ControlPage::onWord);
     connect(m_arm, &QPushButton::toggled, this, &ControlPage::setArmed);
+    connectGamepad();
     connect(m_mode, &QComboBox::currentIndexChanged, this, &ControlPage::onMode);
     connect(&workspace().client(), &DeviceClient::stateChanged, this, &ControlPage::onState);
     connect(&workspace().client(), &DeviceClient::motorsOffFinished, this, [this] { setArmed(false); });
@@ -207,6 +210,20 @@ void ControlPage::connectAll()
     connect(&m_send, &QTimer::timeout, this, &ControlPage::tick);
     m_refresh.setInterval(kRefreshPeriod);
     connect(&m_refresh, &QTimer::timeout, this, &ControlPage::updateNow);
+}
+
+void ControlPage::connectGamepad()
+{
+    connect(m_gamepad, &GamepadSteering::gone, this, [this](const QString &what) {
+        setArmed(false);
+        workspace().notifications().notify(what, Notice::Attention);
+    });
+    connect(m_gamepad, &GamepadSteering::armWanted, this, [this] { setArmed(true); });
+    connect(m_gamepad, &GamepadSteering::disarmWanted, this, [this] { setArmed(false); });
+    connect(m_gamepad, &GamepadSteering::centreWanted, this, [this] {
+        if (isArmed() && m_center->isEnabled())
+            center();
+    });
 }
 
 // The operator moved something.
@@ -374,22 +391,18 @@ void ControlPage::fillInputs()
     }
 }
 
-// Motors that no command switches on are started by steering, so they are off before it.
-bool ControlPage::isLimp() const
-{
-    const Device *device = workspace().client().device();
-    return device && device->motorSwitch() && !workspace().motorsRunning().value_or(true);
-}
-
 void ControlPage::setArmed(bool on)
 {
     const bool isStopping = workspace().client().isStopUnproven();
     if (on && isVisible() && isStopping)
         workspace().notifications().notify(
             tr("Not armed: the motors are being stopped, and the board has not confirmed it."), Notice::Hint);
-    const bool allowed = on && !isStopping && isVisible() && workspace().client().isConnected()
-        && workspace().client().identity().writable && mode() && workspace().client().telemetry()
-        && !isLimp();
+    const QString hands = on && isVisible() && !isArmed() ? m_gamepad->whyNot() : QString();
+    if (!hands.isEmpty())
+        workspace().notifications().notify(hands, Notice::Hint);
+    const bool allowed = on && !isStopping && hands.isEmpty() && isVisible()
+        && workspace().client().isConnected() && workspace().client().identity().writable && mode()
+        && workspace().client().telemetry() && !isLimp();
     if (on && !allowed && isVisible() && isLimp())
         workspace().notifications().notify(
             tr("Not armed: the motors are off, and where a limp camera hangs is no target. Start the motors, "
@@ -401,9 +414,12 @@ void ControlPage::setArmed(bool on)
         m_known = {};
         takeHold();
         m_moved = false;
+        m_pushed = {};
+        m_gamepad->begin();
         m_send.start();
     } else if (!allowed && isArmed()) {
         m_send.stop();
+        m_gamepad->end();
         m_pad->reset();
         m_roll->setValue(0);
         const auto switches = steering() ? steering()->switches() : std::span<const SteeringSwitch>();
@@ -427,126 +443,6 @@ void ControlPage::setArmed(bool on)
     m_state->setText(stateText());
     m_state->setObjectName(isArmed() ? u"warning"_s : u"muted"_s);
     repolish(m_state);
-}
-
-QString ControlPage::stateText() const
-{
-    if (!isArmed() && m_functions->isVisibleTo(this))
-        return tr("Not armed: the camera is not steered. Choose a mode, then arm. What stands under "
-                  "“Functions” acts at once, armed or not.");
-    if (!isArmed())
-        return tr("Not armed: the camera is not steered. Choose a mode, then arm.");
-    if (steering() && steering()->controlFrames(setpoint()).setpoint.isEmpty() && wordIsNeeded()
-        && !m_neverPanned->isChecked())
-        return tr("Armed, but nothing is sent yet: the board does not report its targets, and it was running "
-                  "before this link. Set each angle, press “To the middle”, or tick “%1” if that is so.")
-            .arg(m_neverPanned->text());
-    if (steering() && steering()->controlFrames(setpoint()).setpoint.isEmpty())
-        return tr("Armed, but nothing is sent yet: the angles that hold the camera are unknown. Set each of "
-                  "them, or press “To the middle”.");
-    return tr("Armed: the camera follows you. It stops when you let go, leave this page, or do nothing "
-              "for %1 s.")
-        .arg(workspace().settings().disarmSeconds());
-}
-
-SteeringSetpoint ControlPage::holdingSetpoint(SteeredBefore steeredBefore) const
-{
-    return steering()->holdingSetpoint(mode()->id, *workspace().client().telemetry(), steeredBefore);
-}
-
-// More would be known if the operator said that nobody has steered the board before.
-bool ControlPage::wordIsNeeded() const
-{
-    if (!mode() || !mode()->isPositional() || !workspace().client().telemetry())
-        return false;
-    const auto known = [this](SteeredBefore steeredBefore) {
-        const std::vector<double> inputs = holdingSetpoint(steeredBefore).inputs;
-        return std::count_if(inputs.begin(), inputs.end(), [](double input) { return !std::isnan(input); });
-    };
-    return known(SteeredBefore::Unknown) < known(SteeredBefore::Never);
-}
-
-void ControlPage::onWord(bool given)
-{
-    if (!given)
-        setArmed(false);  // what was taken for known is not
-    if (!isArmed())
-        return;
-    m_touched.start();
-    takeHold();
-    tick();
-}
-
-// Targets that are not known yet start at the present position, so that arming moves nothing.
-void ControlPage::takeHold()
-{
-    const SteeringMode *chosen = mode();
-    const SteeringSetpoint now
-        = holdingSetpoint(m_neverPanned->isChecked() ? SteeredBefore::Never : SteeredBefore::Unknown);
-    m_filling = true;
-    for (std::size_t i = 0; i < std::min(chosen->inputs.size(), now.inputs.size()); ++i) {
-        const SteeringInput &input = chosen->inputs[i];
-        if (input.axis == Axis::None || input.springsBack)
-            continue;
-        const auto axis = std::size_t(input.axis);
-        if (m_known[axis])
-            continue;
-        m_known[axis] = !std::isnan(now.inputs[i]);
-        if (m_known[axis])
-            m_angles[axis]->setValue(now.inputs[i]);
-        else
-            m_angles[axis]->clear();
-    }
-    m_filling = false;
-}
-
-double ControlPage::axisValue(const SteeringInput &input) const
-{
-    const auto axis = std::size_t(input.axis);
-    if (!input.springsBack)
-        return m_known[axis] ? m_angles[axis]->value() : std::nan("");
-    const std::array<double, kAxisCount> push{double(m_roll->value()) / kSliderSteps, m_pad->value().y(),
-                                              m_pad->value().x()};
-    if (qstrcmp(input.unit, "°/s") == 0)
-        return push[axis] * m_speed->value();
-    return input.centre + push[axis] * (push[axis] < 0 ? input.centre - input.min : input.max - input.centre);
-}
-
-SteeringSetpoint ControlPage::setpoint() const
-{
-    SteeringSetpoint wanted;
-    const SteeringMode *chosen = mode();
-    if (!chosen)
-        return wanted;
-    wanted.mode = chosen->id;
-    wanted.holds = !m_moved;
-    for (const SteeringInput &input : chosen->inputs) {
-        const auto more = m_moreInputs.find(input.key);
-        wanted.inputs.push_back(input.axis != Axis::None         ? axisValue(input)
-                                    : more != m_moreInputs.end() ? more->second->value()
-                                                                 : double(m_speed->value()));
-    }
-    for (const QComboBox *box : m_switches)
-        wanted.switches.push_back(box->currentData().toInt());
-    return wanted;
-}
-
-void ControlPage::tick()
-{
-    if (m_touched.elapsed() > 1000LL * workspace().settings().disarmSeconds() && !m_pad->isHeld()) {
-        setArmed(false);
-        workspace().notifications().notify(tr("Control was disarmed: nothing was moved for %1 s.")
-                                               .arg(workspace().settings().disarmSeconds()),
-                                           Notice::Hint);
-        return;
-    }
-    if (isLimp()) {
-        setArmed(false);
-        workspace().notifications().notify(tr("Control was disarmed: the motors are off."), Notice::Hint);
-        return;
-    }
-    workspace().client().setControl(setpoint());
-    m_state->setText(stateText());
 }
 
 void ControlPage::updateNow()
@@ -589,6 +485,7 @@ void ControlPage::showEvent(QShowEvent *event)
         return ChannelRoles::present({roles.angle, roles.target});
     });
     m_refresh.start();
+    m_gamepad->setShown(true);
     setArmed(false);
 }
 
@@ -596,5 +493,6 @@ void ControlPage::hideEvent(QHideEvent *event)
 {
     Page::hideEvent(event);
     setArmed(false);
+    m_gamepad->setShown(false);
     m_refresh.stop();
 }

@@ -13,6 +13,7 @@ class AttitudeView;
 class Card;
 class ControlPad;
 class FunctionsCard;
+class GamepadSteering;
 class QCheckBox;
 class QComboBox;
 class QGridLayout;
@@ -47,6 +48,7 @@ private:
     [[nodiscard]] Card *makeSteerCard();
     [[nodiscard]] Card *makeAnglesCard();
     void connectAll();
+    void connectGamepad();
     void pointWithPad();
     void pointWithRoll(int value);
     void center();
@@ -54,6 +56,7 @@ private:
     void onMode();
     void tick();
     void updateNow();
+    void pushWithGamepad(const GamepadSnapshot &sticks);
     void takeHold();
     [[nodiscard]] SteeringSetpoint holdingSetpoint(SteeredBefore steeredBefore) const;
     [[nodiscard]] bool wordIsNeeded() const;
@@ -66,6 +69,9 @@ private:
     [[nodiscard]] const Steering *steering() const;
     [[nodiscard]] const SteeringMode *mode() const;
     [[nodiscard]] double axisValue(const SteeringInput &input) const;
+
+    static constexpr auto kSendPeriod = 50ms;  // well below the dead-man limit of 250 ms
+    static constexpr int kSliderSteps = 100;
 
     QComboBox *m_mode;
     QPushButton *m_arm;
@@ -89,6 +95,8 @@ private:
     QLabel *m_now;
     AttitudeView *m_attitude;
     FunctionsCard *m_functions;
+    GamepadSteering *m_gamepad;
+    std::array<double, kAxisCount> m_pushed{};  // by the gamepad, at the last tick
     QTimer m_send;
     QTimer m_refresh;
     QElapsedTimer m_touched;  // since the operator last moved something

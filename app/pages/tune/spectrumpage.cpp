@@ -34,6 +34,7 @@ namespace {
 constexpr auto kPeriod = 500ms;
 constexpr std::array<int, 4> kSpans{5, 10, 30, 60};  // seconds
 constexpr int kDefaultSpan = 1;
+constexpr std::size_t kFewestBins = 8;
 constexpr int kPeaks = 5;  // of each axis
 constexpr double kFinest = 0.5;  // Hz
 constexpr double kWaterfallSpan = 1.0;  // seconds in one column
@@ -289,6 +290,7 @@ void SpectrumPage::refresh()
     const ChannelTable table = device->channels();
     const bool gyro = signal() == Signal::Gyro;
     m_now.clear();
+    m_own.clear();
     m_lines.clear();
     m_note->setFullText(tr("Waiting for samples at a steady rate"));
     for (std::size_t i = 0; i < kAxes.size(); ++i) {
@@ -322,6 +324,8 @@ void SpectrumPage::refresh()
                        .arg(numberText(result->rate / 2, 0));
         m_note->setFullText(note);
         m_now.push_back({axisLabel(kAxes[i]), kAxes[i], std::move(*result), false});
+        if (gyro)
+            addOwn(i, *store);
     }
     drawCurves();
     addWaterfall();
@@ -343,9 +347,39 @@ void SpectrumPage::resume(const std::any &kept)
     m_span->setCurrentIndex(before.span);
 }
 
+// In which scale it is counted is not told, so it is drawn as strong as that of the samples: what is compared
+// is where its lines are. Its bins reach to half of the control loop's rate (BCFlight errata 8.3).
+void SpectrumPage::addOwn(std::size_t axis, const TelemetryStore &store)
+{
+    const ChannelRoles &roles = workspace().roles();
+    const double loops = workspace().latest(roles.loops);
+    if (roles.spectrum[axis] < 0 || !(loops > 0))
+        return;
+    const ArraySample told = store.latestArray(roles.spectrum[axis]);
+    if (told.values->size() < kFewestBins)
+        return;
+    Spectrum own;
+    own.rate = loops;
+    own.resolution = loops / 2 / double(told.values->size() - 1);
+    own.segments = 1;
+    for (const float magnitude : *told.values)
+        own.density.push_back(double(magnitude) * double(magnitude));
+    const Spectrum &seen = m_now.back().spectrum;
+    const double highest = std::min(seen.rate, own.rate) / 2;
+    const double strength = own.bandRms(kVibrationFrom, highest);
+    if (!(strength > 0))
+        return;
+    const double factor = seen.bandRms(kVibrationFrom, highest) / strength;
+    for (double &density : own.density)
+        density *= factor * factor;
+    m_own.push_back(
+        {tr("%1, from the board").arg(axisLabel(kAxes[axis])), kAxes[axis], std::move(own), false, true});
+}
+
 void SpectrumPage::drawCurves()
 {
     std::vector<SpectrumCurve> all = m_earlier;
+    all.insert(all.end(), m_own.begin(), m_own.end());
     all.insert(all.end(), m_now.begin(), m_now.end());
     m_chart->setSpectra(all, m_unit, m_scale);
     std::vector<std::pair<const Spectrum *, SpectrumPeak>> peaks;

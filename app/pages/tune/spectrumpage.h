@@ -72,6 +72,7 @@ private:
     void makeViewMenu();
     void offerHeldSpan();
     void refresh();
+    void addOwn(std::size_t axis, const TelemetryStore &store);
     void drawCurves();
     void addWaterfall();
     /// One column of the second that ends then.
@@ -108,6 +109,7 @@ private:
     WindowShape m_window = WindowShape::Hann;
     Axis m_waterfallAxis = Axis::None;  // None: lines instead
     std::vector<SpectrumCurve> m_now;
+    std::vector<SpectrumCurve> m_own;  // as the board computes them
     std::vector<SpectrumCurve> m_earlier;  // kept by Compare
     QString m_unit;
     std::vector<Line> m_lines;  // as the table shows them

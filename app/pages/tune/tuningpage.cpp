@@ -211,7 +211,7 @@ void TuningPage::connectAll()
     connect(&m_live, &LiveModel::modelReset, this, &TuningPage::rebuild);
     connect(&m_live, &LiveModel::valueChanged, this, [this](int parameter) {
         if (LiveSlider *shown = m_controls.value(parameter))
-            shown->show(m_live.value(parameter), m_live.stored(parameter));
+            showValue(*shown, parameter);
     });
     connect(&m_live, &LiveModel::changeCountChanged, this, [this] {
         updateState();
@@ -296,11 +296,10 @@ QWidget *TuningPage::makeControls()
             standOnLineOf(*control, *named);
         connect(control, &LiveSlider::edited, this, [this, control, parameter](double raw) {
             m_live.setValue(parameter, raw);
-            control->show(m_live.value(parameter),
-                          m_live.stored(parameter));  // the result, limited to its range
+            showValue(*control, parameter);  // the result, limited to its range
         });
         m_controls.insert(parameter, control);
-        control->show(m_live.value(parameter), m_live.stored(parameter));
+        showValue(*control, parameter);
     }
     if (m_live.parameters().isEmpty()) {
         auto *nothing = new QLabel(tr("This board has no values that can be changed live."));
@@ -312,13 +311,21 @@ QWidget *TuningPage::makeControls()
     return holder;
 }
 
+void TuningPage::showValue(LiveSlider &control, int parameter) const
+{
+    const auto value = m_live.value(parameter);
+    control.show(value, m_live.stored(parameter));
+    const Configuration &board = std::as_const(workspace().configuration()).board();
+    control.editor()->showFigure(board.textFigure(control.editor()->spec(), value.value_or(std::nan(""))));
+}
+
 void TuningPage::rebuild()
 {
     const ConfigurationModel &model = workspace().configuration();
     const auto set = model.isEmpty() ? nullptr : model.board().parameterSet();
     if (set && set == m_set) {
         for (auto it = m_controls.begin(); it != m_controls.end(); ++it)
-            it.value()->show(m_live.value(it.key()), m_live.stored(it.key()));
+            showValue(*it.value(), it.key());
         updateState();
         return;
     }

@@ -46,6 +46,7 @@ private:
     [[nodiscard]] QWidget *makeFigures();
     void connectAll();
     void rebuild();
+    void showValue(LiveSlider &control, int parameter) const;
     void onStore();
     void updateState();
     void updateFigures();

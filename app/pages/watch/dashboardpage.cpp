@@ -3,7 +3,10 @@
 #include "app/pages/watch/dashboardpage.h"
 
 #include "app/pages/watch/alarmcard.h"
+#include "app/pages/watch/flightoverview.h"
 #include "protocol/device/bearings.h"
+#include "protocol/device/device.h"
+#include "protocol/device/flight.h"
 #include "protocol/session/linkstatistics.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "widgets/models/missingtext.h"
@@ -15,12 +18,14 @@
 #include "widgets/views/batteryview.h"
 #include "widgets/views/card.h"
 #include "widgets/views/gimbalview.h"
+#include "widgets/views/motordiagram.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QScrollArea>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include <cmath>
@@ -83,6 +88,7 @@ QWidget *faultCard(const BoardFault &fault)
 
 DashboardPage::DashboardPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"dashboard"_s, tr("Dashboard"), parent)
+    , m_motion(new QStackedWidget)
     , m_gimbal(new GimbalView(workspace.theme()))
     , m_attitude(new AttitudeView(workspace.theme()))
     , m_motorCard(new Card(tr("Motors")))
@@ -123,7 +129,36 @@ DashboardPage::DashboardPage(Workspace &workspace, QWidget *parent)
     refreshFaults();
 }
 
+bool DashboardPage::flies() const
+{
+    const Family *family = workspace().expectedFamily();
+    return family && family->nouns.flies;
+}
+
 QWidget *DashboardPage::makeMotion()
+{
+    m_motion->addWidget(makePictures());
+    return m_motion;
+}
+
+void DashboardPage::chooseMotion()
+{
+    if (flies() && !m_flight) {
+        m_flight = new FlightOverview(workspace());
+        m_motion->addWidget(m_flight);
+        connect(m_flight, &FlightOverview::calibrationWanted, this, [this] {
+            const Device *device = workspace().client().device();
+            if (device && device->flight())
+                emit actionWanted(QLatin1String(device->flight()->calibration()));
+        });
+        coverWhenStale(*m_flight->attitude(),
+                       [this] { return ChannelRoles::present({workspace().roles().angle}); });
+        coverWhenStale(*m_flight->motors(), [this] { return workspace().roles().motors; });
+    }
+    m_motion->setCurrentIndex(flies() ? m_motion->indexOf(m_flight) : 0);
+}
+
+QWidget *DashboardPage::makePictures()
 {
     auto *gimbal = new Card(tr("Camera and frame"));
     gimbal->content()->addWidget(m_gimbal, 1);
@@ -169,7 +204,6 @@ QWidget *DashboardPage::makeFacts()
     auto *link = new Card(tr("Link"));
     link->content()->addWidget(m_link);
     m_course->setWindow(kCourseSeconds);
-    m_course->setAccessibleName(tr("Angles of the camera"));
     m_course->setMarks(&workspace().marks());
     m_courseCard->content()->addWidget(m_course, 1);
     m_courseCard->hide();
@@ -211,6 +245,7 @@ void DashboardPage::fillCourse()
         QList<Curve> curves;
         for (const int channel : ChannelRoles::present({workspace().roles().angle}))
             curves.append({channel, -1, {}});
+        m_course->setAccessibleName(flies() ? tr("Angles of the drone") : tr("Angles of the camera"));
         m_course->setCurves(device->channels(), curves, store);
         m_clock.updateRate();
     }
@@ -226,6 +261,7 @@ void DashboardPage::resizeEvent(QResizeEvent *event)
 // A dial for each axis, a bar for each numbered motor that the board has.
 void DashboardPage::fillParts()
 {
+    chooseMotion();
     if (!workspace().client().isConnected())
         return;
     const ChannelRoles &roles = workspace().roles();
@@ -243,7 +279,7 @@ void DashboardPage::fillParts()
         m_motorRows->addRow(tableText(spec.label), bar);
         m_motors.push_back(bar);
     }
-    m_motorCard->setVisible(!m_motors.empty());
+    m_motorCard->setVisible(!m_motors.empty() && !flies());
 }
 
 void DashboardPage::showEvent(QShowEvent *event)
@@ -251,7 +287,7 @@ void DashboardPage::showEvent(QShowEvent *event)
     Page::showEvent(event);
     workspace().telemetry().subscribe(this, [this] {
         const ChannelRoles &roles = workspace().roles();
-        return ChannelRoles::present({roles.angle, roles.target, roles.frameAngle});
+        return ChannelRoles::present({roles.angle, roles.target, roles.frameAngle}) + roles.motors;
     });
     refreshBearings();
     m_timer.start();
@@ -268,6 +304,15 @@ void DashboardPage::hideEvent(QHideEvent *event)
 void DashboardPage::refresh()
 {
     const ChannelRoles &roles = workspace().roles();
+    if (m_tick++ % kTicksPerFacts == 0) {
+        refreshBearings();
+        refreshFacts();
+        refreshFaults();
+    }
+    if (m_flight && m_motion->currentWidget() == m_flight) {
+        m_flight->refresh();
+        return;
+    }
     const auto value = [this](int channel) { return workspace().latest(channel); };
     GimbalView::Pose pose{{value(roles.angle[0]), value(roles.angle[1]), value(roles.angle[2])}, {}, {}};
     if (m_frameMeasured == true && !std::isnan(value(roles.frameAngle[0])))
@@ -287,11 +332,6 @@ void DashboardPage::refresh()
         m_motors[i]->setValue(std::isnan(output) ? m_motors[i]->minimum() : qRound(output));
         m_motors[i]->setFormat(number(output, 0, unit));
     }
-    if (m_tick++ % kTicksPerFacts == 0) {
-        refreshBearings();
-        refreshFacts();
-        refreshFaults();
-    }
 }
 
 void DashboardPage::refreshFacts()
@@ -310,7 +350,7 @@ void DashboardPage::refreshFacts()
     }
     const Device *device = workspace().client().device();
     if (const StatusWords *told = device ? device->statusWords() : nullptr;
-        told && workspace().client().isConnected()) {
+        told && workspace().client().isConnected() && !flies()) {
         for (const BoardFact &fact :
              told->facts([this](int channel) { return workspace().latest(channel); })) {
             QStringList words;
@@ -319,8 +359,12 @@ void DashboardPage::refreshFacts()
             row(tableText(fact.name), words.join(u", "_s));
         }
     }
-    row(tr("Control cycle"), number(workspace().latest(roles.cycleTime), 0, u"µs"_s));
-    row(tr("Sensor bus errors"), number(workspace().latest(roles.busErrors), 0, {}));
+    for (const auto &[name, text] : flightFacts(workspace()))
+        row(name, text);
+    if (!flies()) {
+        row(tr("Control cycle"), number(workspace().latest(roles.cycleTime), 0, u"µs"_s));
+        row(tr("Sensor bus errors"), number(workspace().latest(roles.busErrors), 0, {}));
+    }
     m_facts->setText(u"<table width='100%'>%1</table>"_s.arg(rows.join(QString())));
     refreshLink();
 }
@@ -348,6 +392,8 @@ void DashboardPage::refreshLink()
     const auto row = [&rows, linked](const QString &name, const QString &text) {
         rows.append(tableRow(name, linked ? text : u"–"_s));
     };
+    for (const auto &[name, text] : flightLink(workspace()))
+        row(name, text);
     row(tr("Received"), m_received);
     row(tr("Sent"), m_sent);
     row(tr("Unanswered"), QString::number(link.timeouts));
@@ -440,6 +486,7 @@ void DashboardPage::refreshBearings()
     const Bearings *bearings = workspace().tables() ? workspace().tables()->bearings() : nullptr;
     if (!bearings || model.isEmpty()) {
         m_frameMeasured.reset();
+        m_battery->setThresholds({}, {}, false);
         return;
     }
     const auto latest = [this](int channel) { return workspace().latest(channel); };

@@ -12,13 +12,16 @@ class AttitudeView;
 class AxisDial;
 class BatteryView;
 class Card;
+class FlightOverview;
 class GimbalView;
 class PlotView;
 class QFormLayout;
 class QProgressBar;
+class QStackedWidget;
 
-/// The gimbal at a glance: as a body and as a horizon, angles against targets and limits, motors, battery,
-/// faults with cause and cure, the link both ways; in a high window what the camera did lately as well.
+/// The board at a glance. A gimbal: as a body and as a horizon, angles against targets and limits, motors. A
+/// flying machine: whether it is armed, its horizon, its motors. Of both: battery, faults with cause and
+/// cure, the link both ways; in a high window what it did lately as well.
 class DashboardPage final : public Page
 {
     Q_OBJECT
@@ -37,13 +40,18 @@ private:
     void refreshFaults();
     [[nodiscard]] QString silenceText() const;
     void refreshBearings();
+    [[nodiscard]] bool flies() const;
     QWidget *makeMotion();
+    QWidget *makePictures();
+    void chooseMotion();
     QWidget *makeFacts();
     void fillParts();
     void fillCourse();
     void giveRoom();
 
     QTimer m_timer;
+    QStackedWidget *m_motion;
+    FlightOverview *m_flight = nullptr;  // made for the first machine that flies
     GimbalView *m_gimbal;
     AttitudeView *m_attitude;
     std::array<AxisDial *, kAxisCount> m_dials{};

@@ -248,8 +248,10 @@ void MonitorPage::refreshArrays()
         curve.axis = spec.axis;
         curve.color = int(curves.size());
         const ArraySample newest = store->latestArray(channel);
-        for (std::size_t i = 0; i < newest.values->size(); ++i)
-            curve.points.append({double(i), double((*newest.values)[i])});
+        for (std::size_t i = 0; i < newest.values->size(); ++i) {
+            if (const double value = double((*newest.values)[i]); !std::isnan(value))
+                curve.points.append({double(i), value});
+        }
         last = std::max(last, spec.elements - 1);
         y.low = std::min(y.low, spec.min);
         y.high = std::max(y.high, spec.max);

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/simulator/bcflight/board.h"
 
+#include "protocol/bcflight/luacheck.h"
 #include "protocol/bcflight/luatext.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -56,6 +58,10 @@ controller = Controller {
 }
 )lua";
 
+// Faults::pose from 1 on: level, right side down, left side down, nose down, nose up, turned to the right and
+// to the left.
+constexpr std::array<Vector3, 7> kHands{
+    {{0, 0, 0}, {30, 0, 0}, {-30, 0, 0}, {0, 30, 0}, {0, -30, 0}, {0, 0, -40}, {0, 0, 40}}};
 constexpr double kStickRate = 300;  // °/s at full stick
 constexpr double kStickAngle = 40;  // ° at full stick, mode 1
 constexpr double kHorizonGain = 6;  // °/s per °; not on the wire
@@ -72,6 +78,14 @@ double lowPass(double cutOff)
     return 1 - std::exp(-2 * M_PI * cutOff * SimulatedBoard::kCycle);
 }
 
+// Where a name is set more than once the last one counts, as in any program.
+Result<GainLiterals> lastGains(const QByteArray &text, const QString &name)
+{
+    const auto found = findGains(text, name);
+    const qsizetype last = onlyCode(text).lastIndexOf(name.toLatin1());
+    return found || last < 0 ? found : findGains(text.sliced(last), name);
+}
+
 }  // namespace
 
 SimulatedBoard::SimulatedBoard(const SimulatorOptions &options)
@@ -81,6 +95,8 @@ SimulatedBoard::SimulatedBoard(const SimulatorOptions &options)
     , m_noise(options.seed + 1)
     , m_configuration(kShippedConfiguration)
 {
+    if (options.own.value(QLatin1String(kNotch), 0))
+        m_configuration.append("\nstabilizer.dynamic_notch = DynamicNotchFilter { min_freq = 100 }\n");
     m_quadcopter.setPlace(options.own.value(QLatin1String(kStand), 1) ? Quadcopter::Place::Stand
                                                                       : Quadcopter::Place::Ground);
     setFaults(options.faults);
@@ -93,6 +109,10 @@ void SimulatedBoard::setFaults(const Faults &faults)
     m_quadcopter.setBattery(faults.battery);
     m_quadcopter.setBlocked(faults.blocked);
     m_quadcopter.setGusts(faults.shake);
+    if (faults.pose <= 0)
+        m_quadcopter.setHand({});
+    else
+        m_quadcopter.setHand(kHands[std::min(std::size_t(faults.pose), kHands.size()) - 1]);
 }
 
 Status SimulatedBoard::status() const
@@ -111,18 +131,21 @@ void SimulatedBoard::start()
     m_steps.clear();
     m_upload.clear();
     m_mode = 1;
-    m_lastAck = 0;
+    m_lastAck = 0x0600;  // the number 0 (5)
+    m_iso = 0;
+    m_isCalibrationOver = false;
     m_offset = {};
     m_sticks = {};
+    m_pictureSteps = {};
     m_rate = m_slowRate = m_turning = m_attitude = m_integral = m_correction = Vector3();
     m_mix = findMotors(m_configuration);
     m_outputs.assign(m_mix.size(), 0.0);
+    m_isDead = !checkSyntax(m_configuration) || m_mix.size() != m_quadcopter.speeds().size();
     const auto scales = findScales(m_configuration);
-    m_isDead = !scales || m_mix.size() != m_quadcopter.speeds().size();
     const std::array names{u"pid_roll"_s, u"pid_pitch"_s, u"pid_yaw"_s};
-    for (std::size_t axis = 0; axis < names.size() && !m_isDead; ++axis) {
-        const auto gains = findGains(m_configuration, names[axis]);
-        m_isDead = !gains;
+    for (std::size_t axis = 0; axis < names.size() && scales; ++axis) {
+        // What is computed there cannot be told here: it keeps what it had.
+        const auto gains = lastGains(m_configuration, names[axis]);
         for (std::size_t term = 0; term < 3 && gains; ++term)
             m_gains[axis][term] = double(float((*gains)[term].value * (*scales)[term]));
     }
@@ -143,8 +166,7 @@ void SimulatedBoard::cycle()
     if (const double at = m_options.faults.resetAfter; at > 0 && m_now >= at && m_resetDone != at) {
         m_resetDone = at;
         m_isDead = false;
-        start();
-        m_awayUntil = m_now + kRestartTime;
+        restart(kRestartTime);
     }
     if (m_isDead || m_now < m_awayUntil)
         return;
@@ -153,8 +175,37 @@ void SimulatedBoard::cycle()
     stream();
 }
 
+// After each connection it waits for a PING again (3).
+void SimulatedBoard::clientCame()
+{
+    ++m_clients;
+    m_hasClient = true;
+    m_heardClient = m_now;
+    m_isConnected = false;
+}
+
+// It calls itself disarmed, but nobody tells the motors: their outputs keep their last values (9.1).
+void SimulatedBoard::clientWent()
+{
+    m_hasClient = m_isConnected = m_armed = false;
+}
+
+// From the second client on, one that pauses is dropped, and does not learn of it (2.6).
+bool SimulatedBoard::hasDroppedClient() const
+{
+    return m_hasClient && m_clients > 1 && m_now - m_heardClient > kReadTimeout;
+}
+
+// As the original ground: CONTROLS a hundred times per second would disarm us; a PING says enough.
+QByteArray SimulatedBoard::askedByOthers()
+{
+    return encode(Message::Ping, bigU16(std::uint16_t(0x7000 + m_askedByOthers++)) + bigU16(0), m_generation);
+}
+
 QByteArray SimulatedBoard::takeOutput(qsizetype)
 {
+    if (hasDroppedClient())
+        m_outbox.clear();
     if (m_outbox.empty())
         return {};
     QByteArray packet = std::move(m_outbox.front());
@@ -183,7 +234,7 @@ void SimulatedBoard::beCalibrated()
     m_zero = m_zeroSum / m_zeroCount;
     m_hasOffsets |= m_isFullCalibration;
     m_calibratingUntil = -1;
-    m_calibrated = true;
+    m_isCalibrationOver = true;
 }
 
 void SimulatedBoard::estimate()
@@ -207,6 +258,7 @@ void SimulatedBoard::estimate()
 
 void SimulatedBoard::control()
 {
+    m_calibrated |= std::exchange(m_isCalibrationOver, false);
     if (m_calibratingUntil > 0)
         beCalibrated();
     if (m_calibrated)

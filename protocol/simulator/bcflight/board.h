@@ -20,8 +20,11 @@ public:
     /// Options of this family: names and defaults.
     static constexpr const char *kGeneration = "generation";  ///< 1 to 7, A to G
     static constexpr const char *kCamera = "camera";
+    static constexpr const char *kFrameRate = "frames";  ///< of the camera, per second
+    static constexpr const char *kJpegs = "mjpeg";
     static constexpr const char *kTransmitter = "vtx";
     static constexpr const char *kStand = "stand";
+    static constexpr const char *kNotch = "notch";
 
     static constexpr double kCycle = 0.0008;  ///< seconds
     static constexpr double kCalibrationTime = 2.0;  ///< of gyroscope and altimeter (7.1)
@@ -30,6 +33,7 @@ public:
     static constexpr double kEscCalibrationTime = 26.0;
     static constexpr double kRestartTime = 6.0;  ///< after a new configuration (7.3)
     static constexpr double kReplaceTime = 10.0;  ///< after a new firmware (7.4)
+    static constexpr double kReadTimeout = 0.5;  ///< of a TCP client (2.6)
     static constexpr qsizetype kLargestImage = 4194304;
 
     explicit SimulatedBoard(const SimulatorOptions &options);
@@ -40,7 +44,12 @@ public:
     QByteArray takeOutput(qsizetype max) override;
     [[nodiscard]] bool isRunning() const override { return true; }
     [[nodiscard]] StreamCount streamCount() const override { return m_streamed; }
+    [[nodiscard]] std::optional<CameraView> cameraView() const override;
     void setFaults(const Faults &faults) override;
+    // Over TCP (2.6, 9.1).
+    void clientCame() override;
+    void clientWent() override;
+    [[nodiscard]] QByteArray askedByOthers() override;
 
     // For tests.
     [[nodiscard]] bool isArmed() const { return m_armed; }
@@ -55,6 +64,15 @@ public:
     [[nodiscard]] double now() const { return m_now; }
     /// Unknown messages that were met (2.5): a client makes none.
     [[nodiscard]] int unknownMessages() const { return m_unknown; }
+    /// What it was told last, in the order in which it took it up; `at` in seconds as now().
+    struct Handled
+    {
+        double at = 0;
+        Message id = Message::Unknown;
+    };
+    [[nodiscard]] const std::deque<Handled> &handled() const { return m_handled; }
+    [[nodiscard]] bool isStreamPaused() const { return m_isStreamPaused; }
+    [[nodiscard]] bool isBeeping() const { return m_isBeeping; }
 
 private:
     // state and control (board.cpp)
@@ -62,6 +80,7 @@ private:
     void control();
     void estimate();
     void beCalibrated();
+    [[nodiscard]] bool hasDroppedClient() const;
     void disarm();
     void stopOutputs();
 
@@ -78,14 +97,19 @@ private:
     void testMotor(std::uint32_t index);
     void takeConfiguration(Bytes payload);
     void block(double seconds);
+    void restart(double seconds);
     void send(const QByteArray &packet);
     [[nodiscard]] QByteArray message(Message id, const QByteArray &payload = {}) const;
+
+    // camera.cpp
+    void stepPicture(Message id);
 
     // reports (reports.cpp)
     void stream();
     [[nodiscard]] Telemetry telemetry() const;
     [[nodiscard]] double batteryLevel() const;
     [[nodiscard]] QByteArray spectrum() const;
+    [[nodiscard]] QByteArray userName() const;
     [[nodiscard]] QByteArray boardText() const;
     [[nodiscard]] QByteArray sensorsText() const;
     [[nodiscard]] QByteArray camerasText() const;
@@ -115,7 +139,14 @@ private:
     std::deque<QByteArray> m_outbox;
     StreamCount m_streamed;
     int m_unknown = 0;
+    std::deque<Handled> m_handled;
     int m_lastAck = 0;
+    int m_gainsSet = 0;
+    bool m_isRetry = false;  // the command behind the last ACK_ID
+    int m_clients = 0;  // over TCP, so far
+    bool m_hasClient = false;
+    double m_heardClient = 0;
+    int m_askedByOthers = 0;
     double m_heardControls = -1;
 
     // Flight.
@@ -125,6 +156,7 @@ private:
     Controls m_sticks;
     bool m_calibrated = false;
     double m_calibratingUntil = -1;
+    bool m_isCalibrationOver = false;  // for one loop it is neither (7.1)
     bool m_isFullCalibration = false;
     Vector3 m_zero;
     Vector3 m_zeroSum;
@@ -158,6 +190,8 @@ private:
     int m_vtxPower = 0;
     int m_whiteBalance = 0;
     bool m_isBeeping = false;
+    int m_iso = 0;
+    std::array<int, 3> m_pictureSteps{};  // brightness, contrast, saturation
     std::uint32_t m_clock = 0;
 };
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bcflight {
 
@@ -18,7 +19,9 @@ constexpr double kMostGain = 1.0;
 constexpr double kMostOuterGain = 50.0;
 constexpr double kMostOffset = 45.0;
 constexpr double kConnectPause = 0.01;
+constexpr std::size_t kRemembered = 512;  // messages
 constexpr qsizetype kCut = 65000;  // longer packets go out in pieces (2.1)
+constexpr int kShutter = 200;
 constexpr const char *kWhiteBalances[] = {"auto", "incandescent", "fluorescent", "daylight", "cloudy"};
 
 std::uint32_t u32At(Bytes payload, std::size_t at = 0)
@@ -37,6 +40,15 @@ QByteArray floats(std::initializer_list<double> values)
     for (const double value : values)
         bytes += bigF32(float(value));
     return bytes;
+}
+
+// An image of the simulated drone names its version behind a mark; any other is the next one.
+QByteArray versionIn(const QByteArray &image)
+{
+    static const QByteArray mark("version ");
+    const qsizetype at = image.indexOf(mark);
+    return at < 0 ? QByteArray("2.0")
+                  : image.mid(at + mark.size(), 12).split('\n').first().split('\0').first();
 }
 
 QByteArray text(const QByteArray &words)
@@ -64,8 +76,17 @@ void SimulatedBoard::send(const QByteArray &packet)
 
 void SimulatedBoard::receive(Bytes bytes)
 {
+    if (hasDroppedClient())
+        return;
+    m_heardClient = m_now;
     if (!m_isDead && m_now >= m_awayUntil && !bytes.empty())
         m_inbox.push_back(toByteArray(bytes));
+}
+
+void SimulatedBoard::restart(double seconds)
+{
+    start();
+    m_awayUntil = m_now + seconds;
 }
 
 void SimulatedBoard::block(double seconds)
@@ -93,15 +114,28 @@ void SimulatedBoard::serve()
 void SimulatedBoard::handle(const QByteArray &packet)
 {
     DroneReader reader(asBytes(packet), m_generation);
+    m_isRetry = false;
     while (const auto item = reader.next()) {
         if (!item->id) {
             ++m_unknown;
             continue;
         }
+        m_handled.push_back({m_now, *item->id});
+        if (m_handled.size() > kRemembered)
+            m_handled.pop_front();
         if (item->wire == m_options.faults.deaf)
             continue;
         if (!handle(*item, reader))
             reader.putBack(*item);
+        m_isRetry &= *item->id == Message::Ack;
+        // What stands behind it in its packet waits as well, or is never reached.
+        if (m_isHung || m_isDead || m_now < m_awayUntil)
+            return;
+        if (m_now < m_busyUntil) {
+            if (!reader.rest().empty())
+                m_inbox.push_front(toByteArray(reader.rest()));
+            return;
+        }
     }
 }
 
@@ -113,7 +147,7 @@ bool SimulatedBoard::handle(const DroneReader::Item &item, DroneReader &reader)
     switch (id) {
     case Message::Unknown: break;
     case Message::Ping: {
-        QByteArray reply = message(Message::Ping, toByteArray(payload));
+        QByteArray reply = message(Message::Ping, toByteArray(payload).leftJustified(4, '\0'));
         if (m_generation <= Generation::B)
             reply += message(Message::Status, bigU32(status().bits()))
                 + message(Message::Telemetry, telemetry().encode());
@@ -137,9 +171,10 @@ bool SimulatedBoard::handle(const DroneReader::Item &item, DroneReader &reader)
         break;
     }
     case Message::Ack:
-        m_lastAck = item.wire;
+        // A number that comes again marks a retry (5).
+        m_isRetry = std::exchange(m_lastAck, item.wire) == item.wire;
         if (m_generation >= Generation::E)
-            send(encodeAck(item.wire & 0x7F).repeated(2));
+            send(bigU16(std::uint16_t(item.wire)).repeated(2));
         break;
     case Message::Calibrate: calibrate(payload); break;
     case Message::SetTimestamp:
@@ -169,7 +204,7 @@ bool SimulatedBoard::handle(const DroneReader::Item &item, DroneReader &reader)
     case Message::UploadProcess: return handleUpload(id, item, reader);
     case Message::EnableTunDevice:
     case Message::DisableTunDevice: break;
-    case Message::GetUsername: answer(text("simulated")); break;
+    case Message::GetUsername: answer(text(userName())); break;
     case Message::PidOutput: answer(floats({m_correction.x, m_correction.y, m_correction.z})); break;
     case Message::OuterPidOutput:
     case Message::OuterPidFactors: answer(floats({0, 0, 0})); break;
@@ -191,6 +226,9 @@ bool SimulatedBoard::handle(const DroneReader::Item &item, DroneReader &reader)
         break;
     case Message::SetMode:
         m_mode = int(u32At(payload));
+        m_sticks.roll = m_sticks.pitch = 0;
+        if (m_mode == 1)
+            m_attitude = Vector3();  // in flight as well (6.4)
         answer(toByteArray(payload));  // any value is echoed (6.4)
         break;
     case Message::SetAltitudeHold: answer(bigU32(0)); break;  // it has no altimeter
@@ -228,6 +266,10 @@ bool SimulatedBoard::handleGain(Message id, Bytes payload)
     const bool isOuter = id >= Message::SetOuterP;
     if (std::abs(gain) > (isOuter ? kMostOuterGain : kMostGain))
         return true;
+    if (++m_gainsSet == m_options.faults.resetOnWrite) {
+        restart(kRestartTime);
+        return true;
+    }
     if (!isOuter)
         m_gains[std::size_t(number / 3)][std::size_t(number % 3)] = gain;
     send(message(id, toByteArray(payload)));
@@ -247,17 +289,17 @@ bool SimulatedBoard::handleCamera(Message id, Bytes payload)
     case Message::Iso:
     case Message::ShutterSpeed:
         if (hasCamera)
-            answer(bigU32(id == Message::Iso ? 0 : 200));
+            answer(bigU32(std::uint32_t(id == Message::Iso ? m_iso : kShutter)));
         break;
     case Message::WhiteBalance:
-        if (hasCamera)
+        if (hasCamera && !m_isRetry)
             m_whiteBalance = (m_whiteBalance + 1) % int(std::size(kWhiteBalances));
         answer(text(hasCamera ? kWhiteBalances[m_whiteBalance] : "(none)"));
         break;
     case Message::ExposureMode: answer(text(hasCamera ? "" : "(none)")); break;
     case Message::LockWhiteBalance: answer(text(hasCamera ? "R1.50B2.25" : "(none)")); break;
     case Message::LensShader: answer(QByteArray(9, char(0x2A))); break;
-    default: break;  // no reply, nothing that could be read
+    default: stepPicture(id); break;  // no reply, nothing that could be read
     }
     return true;
 }
@@ -307,9 +349,8 @@ void SimulatedBoard::takeConfiguration(Bytes payload)
         return;
     m_configuration = *given;
     const auto last = m_outbox;
-    start();
+    restart(kRestartTime);
     m_outbox = last;
-    m_awayUntil = m_now + kRestartTime;
 }
 
 bool SimulatedBoard::handleUpload(Message id, const DroneReader::Item &item, DroneReader &reader)
@@ -322,9 +363,8 @@ bool SimulatedBoard::handleUpload(Message id, const DroneReader::Item &item, Dro
         if (crc32c(asBytes(m_upload)) != u32At(item.payload))
             return true;  // only its log tells
         m_firmware = m_upload;
-        m_version = "2.0";
-        start();
-        m_awayUntil = m_now + kReplaceTime;
+        m_version = versionIn(m_firmware);
+        restart(kReplaceTime);
         return true;
     }
     constexpr std::size_t kHead = 20;

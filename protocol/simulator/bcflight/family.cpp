@@ -20,6 +20,14 @@ Result<void> readGeneration(SimulatorSetup &setup, const QString &text)
     return {};
 }
 
+Result<void> readFrameRate(SimulatorSetup &setup, const QString &text)
+{
+    if (text != u"30"_s && text != u"60"_s)
+        return failure(ErrorCode::InvalidArgument, u"frames is 30 or 60, not '%1'"_s.arg(text));
+    setup.options.own[QLatin1String(SimulatedBoard::kFrameRate)] = text.toInt();
+    return {};
+}
+
 SimulatedOption switchOption(const char *name, const QString &help)
 {
     const QString key = QLatin1String(name);
@@ -51,7 +59,14 @@ SimulatedFamily simulatedFamily()
               {u"which generation of the protocol it speaks: A to G (default)"_s},
               readGeneration},
              switchOption(SimulatedBoard::kCamera, u"0: it has no camera"_s),
+             {QLatin1String(SimulatedBoard::kFrameRate),
+              u"N"_s,
+              {u"frames per second of its camera: 30 (default) or 60"_s},
+              readFrameRate},
+             switchOption(SimulatedBoard::kJpegs, u"1: its camera sends JPEGs instead of H.264"_s),
              switchOption(SimulatedBoard::kTransmitter, u"0: it has no video transmitter"_s),
+             switchOption(SimulatedBoard::kNotch,
+                          u"1: its notch filter follows the rates; it streams their spectrum"_s),
              switchOption(SimulatedBoard::kStand,
                           u"1: it turns freely in a test stand; else it stands on the ground"_s)},
             [](const SimulatorOptions &options) {

@@ -16,6 +16,7 @@ constexpr double kFullThrust = 7.5;  // N of one propeller at full speed and nom
 constexpr double kArm = 0.0884;  // m from the axis of roll and of pitch
 constexpr double kDragTorque = 0.016;  // Nm about yaw per N of thrust
 constexpr Vector3 kInertia{0.0030, 0.0034, 0.0056};  // kg m²
+constexpr double kDriven = 0.01;  // of full speed
 constexpr Vector3 kDamping{0.0022, 0.0024, 0.0020};  // Nm per rad/s: air and bearings of the stand
 constexpr double kMotorLag = 0.035;  // s
 constexpr double kNominal = 3.7;  // V per cell
@@ -30,6 +31,8 @@ constexpr double kGyroNoise = 0.25;
 constexpr double kAccelerationNoise = 0.06;
 constexpr double kFieldNoise = 0.4;
 constexpr Vector3 kEarthField{20.0, 0.0, 44.0};
+constexpr double kHandRate = 60;  // °/s
+constexpr double kHandStiffness = 4;  // 1/s
 constexpr double kGustTime = 0.6;  // s
 constexpr double kGustTorque = 0.02;  // Nm
 
@@ -93,11 +96,24 @@ void Quadcopter::turn(double seconds)
     for (std::size_t axis = 0; axis < 3; ++axis)
         m_gust[axis] += -m_gust[axis] * seconds / kGustTime
             + m_noise.gauss(m_gusts * kGustTorque * std::sqrt(seconds / kGustTime));
+    if (m_hand) {
+        Vector3 rates;
+        const Vector3 now = m_body.attitude();
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            rates[axis] = std::clamp(kHandStiffness * std::remainder((*m_hand)[axis] - now[axis], 360.0),
+                                     -kHandRate, kHandRate);
+        m_body.carry(rates);
+        m_body.turn(seconds);
+        return;
+    }
     if (m_place == Place::Ground) {
         m_body.stop();
         return;
     }
-    m_body.push(seconds, torque + m_gust);
+    // Gusts turn what flies; against a drone that is not driven they do not overcome the friction of the
+    // bearings.
+    const double drive = *std::max_element(m_speeds.begin(), m_speeds.end());
+    m_body.push(seconds, drive > kDriven ? torque + m_gust : torque);
     if (m_blocked > 0)
         m_body.block(std::size_t(m_blocked - 1));
     m_body.turn(seconds);

@@ -7,6 +7,7 @@
 #include "protocol/simulator/world/plant.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace bcflight {
@@ -32,6 +33,8 @@ public:
     [[nodiscard]] Place place() const { return m_place; }
     /// Turns it by hand, degrees; in the stand it goes on from there.
     void setAttitude(double roll, double pitch, double yaw);
+    /// A hand takes it there within a second and holds it, stronger than its propellers; nothing: lets go.
+    void setHand(const std::optional<Vector3> &attitude) { m_hand = attitude; }
     /// A volt meter at the battery; 0: what the charge gives.
     void setBattery(double volts) { m_fixedVoltage = volts; }
     void setBlocked(int axis) { m_blocked = axis; }
@@ -61,6 +64,7 @@ private:
     RigidBody m_body;
     Mix m_mix;
     Place m_place = Place::Stand;
+    std::optional<Vector3> m_hand;
     Vector3 m_zero;  // of the gyroscope, °/s
     Vector3 m_gust;
     Vector3 m_gyro;

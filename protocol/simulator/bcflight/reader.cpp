@@ -22,17 +22,27 @@ std::optional<DroneReader::Item> DroneReader::next()
     }
     Item item{groundMessage(wire, m_generation), wire, {}, m_rest.subspan(idSize)};
     m_rest = item.rest;
+    // Both bits set is all that it looks for (5).
+    if (idSize == 2 && (wire & 0x0600) == 0x0600)
+        item.id = Message::Ack;
     const MessageSpec *message = item.id ? findMessage(*item.id) : nullptr;
     if (!message || !message->fromGround)
         return item;
-    const auto size = payloadSize(*message->fromGround, item.rest, Controls::size(m_generation));
+    auto size = payloadSize(*message->fromGround, item.rest, Controls::size(m_generation));
+    // The second word of a PING may be missing (3).
+    if (!size && *item.id == Message::Ping && item.rest.size() >= 2)
+        size = 2;
+    // A text cut off at the end of a segment is taken as far as it came (7.3); its checksum tells.
+    const bool isCut = !size && *item.id == Message::SetConfigFile && item.rest.size() >= 4;
+    if (isCut)
+        size = item.rest.size();
     if (!size) {
         item.id.reset();  // dropped; its bytes are read on
         return item;
     }
     item.payload = item.rest.first(*size);
     const bool hasText = !message->fromGround->empty() && message->fromGround->back().type == FieldType::Text;
-    m_rest = item.rest.subspan(hasText ? *size - 1 : *size);
+    m_rest = item.rest.subspan(hasText && !isCut ? *size - 1 : *size);
     return item;
 }
 

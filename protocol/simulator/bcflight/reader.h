@@ -31,6 +31,9 @@ public:
     /// The handler of the last message has not taken its payload, or only so much of it.
     void putBack(const Item &item, std::size_t taken = 0) { m_rest = item.rest.subspan(taken); }
 
+    /// What is not read yet.
+    [[nodiscard]] Bytes rest() const { return m_rest; }
+
 private:
     Bytes m_rest;
     Generation m_generation;

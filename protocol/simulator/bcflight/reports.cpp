@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/analysis/segments.h"
+#include "protocol/bcflight/luatext.h"
 #include "protocol/simulator/bcflight/board.h"
 
 #include <algorithm>
@@ -79,7 +80,8 @@ void SimulatedBoard::stream()
         add(Message::ReceiveQuality, count(now.receiveQuality));
         add(Message::ReceiveLevel, count(now.receiveLevel));
     }
-    if (m_isFull) {
+    // Before 2023-07-18 the attitude came in either mode (1).
+    if (m_isFull || m_generation == Generation::A) {
         // Before the first arming the memory holds anything (8.2).
         add(Message::SetThrust, m_everArmed ? number(m_sticks.thrust) : bigU32(0x7FC0BEEF));
         add(Message::RollPitchYaw, vector(m_attitude));
@@ -88,7 +90,9 @@ void SimulatedBoard::stream()
         const Vector3 none = Vector3();
         if (m_generation >= Generation::D)
             add(Message::Rates, vector(m_rate));
-        add(Message::Gyro, vector(m_calibrated ? m_quadcopter.gyro() - m_zero : none));
+        // Raw only since D (1).
+        const Vector3 gyro = m_generation >= Generation::D ? m_quadcopter.gyro() - m_zero : m_rate;
+        add(Message::Gyro, vector(m_calibrated ? gyro : none));
         add(Message::Accel, vector(m_calibrated ? m_quadcopter.acceleration() : none));
         add(Message::Magn, vector(m_calibrated ? m_quadcopter.field() : none));
         add(Message::GyroDterm, vector(m_slowRate));
@@ -140,12 +144,20 @@ QByteArray SimulatedBoard::transmitter() const
         + char(m_vtxPower) + char(kPowers[m_vtxPower]) + char(std::size(kPowers)) + powers;
 }
 
+QByteArray SimulatedBoard::userName() const
+{
+    const qsizetype at = onlyCode(m_configuration).indexOf("username");
+    const auto parts
+        = at < 0 ? QList<QByteArray>() : m_configuration.sliced(at).split('\n').front().split('"');
+    return parts.size() < 3 ? QByteArray("[unknown]") : parts[1];
+}
+
 QByteArray SimulatedBoard::boardText() const
 {
     if (m_generation == Generation::A)
         return "Type:simulated\nFirmware version:" + m_version + "\n";
     return "{\n    [\"Type\"] = \"simulated\",\n    [\"Firmware version\"] = \"" + m_version
-        + "\",\n    [\"Model\"] = \"quadcopter in a stand\",\n    [\"CPU cores count\"] = \"4\",\n}\n";
+        + "\",\n    [\"Model\"] = \"quadcopter\",\n    [\"CPU cores count\"] = \"4\",\n}\n";
 }
 
 QByteArray SimulatedBoard::sensorsText() const
@@ -162,10 +174,12 @@ QByteArray SimulatedBoard::sensorsText() const
 
 QByteArray SimulatedBoard::camerasText() const
 {
-    if (!m_options.own.value(QLatin1String(kCamera), 1))
+    const auto view = cameraView();
+    if (!view)
         return "nil";
     return "{\n    [\"Camera 0\"] = {\n        Device = \"simulated\",\n        Resolution = \"1280x720\",\n"
-           "        Framerate = 60,\n        HDR = \"false\",\n    },\n}\n";
+           "        Framerate = "
+        + QByteArray::number(view->frameRate) + ",\n        HDR = \"false\",\n    },\n}\n";
 }
 
 }  // namespace bcflight

@@ -36,6 +36,8 @@ void SimulatorHost::onTick()
     m_simulatedNs = std::max(m_simulatedNs, elapsed - kMaxCatchUpNs);
     m_port->advance(std::chrono::nanoseconds(elapsed - m_simulatedNs));
     m_simulatedNs = elapsed;
+    if (m_camera)
+        m_camera->set(m_port->isPlugged() ? m_port->board().cameraView() : std::nullopt);
     if (m_plugged == m_port->isGone()) {
         m_plugged = !m_plugged;
         plugged(m_plugged);

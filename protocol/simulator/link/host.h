@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/simulator/link/simulatedport.h"
+#include "protocol/simulator/video/camerafeed.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -21,6 +22,8 @@ public:
     /// What a client connects to.
     [[nodiscard]] virtual QString address() const = 0;
     [[nodiscard]] SimulatedPort &port() { return *m_port; }
+    /// From now on, what the board's camera sees goes in there.
+    void setCameraFeed(std::shared_ptr<CameraFeed> feed) { m_camera = std::move(feed); }
 
 protected:
     void hostWrote(QByteArrayView bytes) { m_port->hostWrites(asBytes(bytes)); }
@@ -35,6 +38,7 @@ private:
     void onTick();
 
     std::unique_ptr<SimulatedPort> m_port;
+    std::shared_ptr<CameraFeed> m_camera;
     QTimer m_timer;
     QElapsedTimer m_clock;
     qint64 m_simulatedNs = 0;

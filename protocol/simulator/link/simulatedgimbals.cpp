@@ -4,6 +4,7 @@
 
 #include "protocol/simulator/link/host.h"
 #include "protocol/simulator/link/simulatorsetup.h"
+#include "protocol/simulator/video/cameraserver.h"
 
 #include <QThread>
 
@@ -58,10 +59,24 @@ public:
     SimulatorRig(const SimulatorRig &) = delete;
     SimulatorRig &operator=(const SimulatorRig &) = delete;
     [[nodiscard]] PipeHost *host() const { return m_host; }
+    Result<quint16> offerVideo()
+    {
+        if (!m_camera) {
+            const auto feed = std::make_shared<CameraFeed>();
+            auto camera = std::make_unique<CameraServer>(feed);
+            if (const auto started = camera->start(0); !started)
+                return tl::unexpected(started.error());
+            m_camera = std::move(camera);
+            QMetaObject::invokeMethod(
+                m_host, [this, feed] { m_host->setCameraFeed(feed); }, Qt::QueuedConnection);
+        }
+        return m_camera->port();
+    }
 
 private:
     QThread m_thread;
     PipeHost *m_host;
+    std::unique_ptr<CameraServer> m_camera;
 };
 
 /// The transport end of the pipe.
@@ -217,4 +232,13 @@ Result<void> SimulatedGimbals::change(const LinkAddress &address, const QString 
         rig->host(), [host = rig->host(), assignment] { std::ignore = host->port().change(assignment); },
         Qt::QueuedConnection);
     return {};
+}
+
+Result<quint16> SimulatedGimbals::offerVideo(const LinkAddress &address) const
+{
+    const std::lock_guard lock(m_rigs->mutex);
+    const std::shared_ptr<SimulatorRig> rig = m_rigs->byAddress.value(address.toString());
+    if (!rig)
+        return failure(ErrorCode::NotConnected, address.toString());
+    return rig->offerVideo();
 }

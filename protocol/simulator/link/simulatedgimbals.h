@@ -15,6 +15,9 @@ public:
 
     /// Errors: InvalidArgument for a family or option that does not exist. Called on the I/O thread.
     Result<std::unique_ptr<Transport>> connectTo(const LinkAddress &address) const;
+    /// Offers the camera of a board that was connected to on the loopback interface: the port to which a
+    /// viewer writes. Callable from any thread. Errors: NotConnected, Unsupported.
+    Result<quint16> offerVideo(const LinkAddress &address) const;
     /// Changes the surroundings of a gimbal that was connected to: a fault as NAME=VALUE. Callable from any
     /// thread. Errors: InvalidArgument, NotConnected.
     Result<void> change(const LinkAddress &address, const QString &assignment) const;

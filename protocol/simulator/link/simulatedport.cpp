@@ -104,13 +104,35 @@ void SimulatedPort::cycle()
         exchangeBytes();
 }
 
+// A board on a network answers whoever wrote last.
+void SimulatedPort::letOthersAsk()
+{
+    if (m_faults.otherGround <= 0) {
+        m_othersAskedLast = false;
+        return;
+    }
+    if (m_now < m_othersAskAt)
+        return;
+    m_othersAskAt = m_now + durationFromSeconds(1 / m_faults.otherGround);
+    const QByteArray asked = m_board->askedByOthers();
+    if (asked.isEmpty())
+        return;
+    m_board->receive(asBytes(asked));
+    m_othersAskedLast = true;
+}
+
 void SimulatedPort::exchangePackets()
 {
-    for (const QByteArray &packet : m_packetsToBoard.take(m_now))
+    for (const QByteArray &packet : m_packetsToBoard.take(m_now)) {
         m_board->receive(asBytes(packet));
+        m_othersAskedLast = false;
+    }
+    letOthersAsk();
     m_board->cycle();
     for (QByteArray sent = m_board->takeOutput(kLargestPacket); !sent.isEmpty();
          sent = m_board->takeOutput(kLargestPacket)) {
+        if (m_othersAskedLast)
+            continue;
         m_packetsToHost.push(sent, m_now + milliseconds(m_faults.lateMs), m_faults, m_faults.delayMs,
                              m_noise);
     }

@@ -52,6 +52,7 @@ private:
     void cycle();
     void exchangeBytes();
     void exchangePackets();
+    void letOthersAsk();
 
     std::unique_ptr<SimulatedBoard> m_board;
     Faults m_faults;
@@ -67,6 +68,8 @@ private:
     double m_inCredit = 0;
     double m_outCredit = 0;
     std::deque<Delayed> m_toHost;
+    bool m_othersAskedLast = false;
+    Duration m_othersAskAt{};
     PacketQueue m_packetsToBoard;
     PacketQueue m_packetsToHost;
 };

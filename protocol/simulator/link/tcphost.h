@@ -3,11 +3,9 @@
 #pragma once
 
 #include "protocol/simulator/link/host.h"
+#include "protocol/simulator/link/tcpdoor.h"
 
-class QTcpServer;
-class QTcpSocket;
-
-/// A TCP server for one client at a time (the newest), on the loopback interface.
+/// A board behind a TCP server.
 class TcpHost final : public SimulatorHost
 {
     Q_OBJECT
@@ -18,13 +16,9 @@ public:
     [[nodiscard]] QString address() const override;
 
 protected:
-    void deliver(const QByteArray &bytes) override;
+    void deliver(const QByteArray &bytes) override { m_door.write(bytes); }
     void plugged(bool in) override;
 
 private:
-    void onConnection();
-
-    QTcpServer *m_server;
-    QTcpSocket *m_client = nullptr;
-    quint16 m_tcpPort;
+    TcpDoor m_door;
 };

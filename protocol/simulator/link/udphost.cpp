@@ -20,12 +20,25 @@ Result<void> UdpHost::start()
     if (!m_socket->bind(QHostAddress::LocalHost, m_udpPort))
         return failure(ErrorCode::PortBusy, u"UDP port %1: %2"_s.arg(m_udpPort).arg(m_socket->errorString()));
     m_udpPort = m_socket->localPort();
+    if (m_door) {
+        if (const auto opened = m_door->open(); !opened)
+            return opened;
+    }
     return SimulatorHost::start();
 }
 
 QString UdpHost::address() const
 {
     return u"udp://127.0.0.1:%1"_s.arg(m_udpPort);
+}
+
+void UdpHost::offerTcp(quint16 tcpPort)
+{
+    m_door = std::make_unique<TcpDoor>(port().board(), tcpPort, this);
+    connect(m_door.get(), &TcpDoor::read, this, [this](const QByteArray &bytes) {
+        m_isLastByTcp = true;
+        hostWrote(bytes);
+    });
 }
 
 void UdpHost::onDatagrams()
@@ -36,12 +49,15 @@ void UdpHost::onDatagrams()
             continue;
         m_peer = datagram.senderAddress();
         m_peerPort = quint16(datagram.senderPort());
+        m_isLastByTcp = false;
         hostWrote(datagram.data());
     }
 }
 
 void UdpHost::deliver(const QByteArray &bytes)
 {
-    if (m_peerPort != 0)
+    if (m_isLastByTcp)
+        m_door->write(bytes);
+    else if (m_peerPort != 0)
         m_socket->writeDatagram(bytes, m_peer, m_peerPort);
 }

@@ -3,12 +3,14 @@
 #pragma once
 
 #include "protocol/simulator/link/host.h"
+#include "protocol/simulator/link/tcpdoor.h"
 
 #include <QHostAddress>
 
 class QUdpSocket;
 
-/// Datagrams on the loopback interface: each packet is one, and answers go to the most recent sender.
+/// Datagrams on the loopback interface: each packet is one, and answers go to the most recent sender. The
+/// same board can be offered over TCP beside: who wrote last gets the answers there too.
 class UdpHost final : public SimulatorHost
 {
     Q_OBJECT
@@ -17,6 +19,10 @@ public:
 
     Result<void> start() override;
     [[nodiscard]] QString address() const override;
+    /// Before start().
+    void offerTcp(quint16 tcpPort);
+    /// The port of TCP, 0 without.
+    [[nodiscard]] quint16 tcpPort() const { return m_door ? m_door->port() : 0; }
 
 protected:
     void deliver(const QByteArray &bytes) override;
@@ -28,4 +34,6 @@ private:
     quint16 m_udpPort;
     QHostAddress m_peer;
     quint16 m_peerPort = 0;
+    std::unique_ptr<TcpDoor> m_door;
+    bool m_isLastByTcp = false;
 };

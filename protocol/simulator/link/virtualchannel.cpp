@@ -178,7 +178,7 @@ void VirtualChannel::post(const Request &request)
 
 void VirtualChannel::stopMotors(const StopPlan &plan)
 {
-    m_control.drop();
+    m_control.motorsStopped(now());
     m_stop.start(
         plan, [this](const Result<void> &result) { m_stopped = result; }, now());
 }

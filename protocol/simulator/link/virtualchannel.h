@@ -22,13 +22,18 @@ public:
     Result<void> sleep(milliseconds duration) override;
     std::unique_ptr<Mailbox> listen(std::function<bool(const FrameView &)> filter) override;
     Result<void> setLine(const LineSettings &line) override;
-    void steer(const ControlFrames &frames) override { m_control.refresh(frames, now()); }
+    void steer(const ControlFrames &frames) override
+    {
+        if (!m_stop.isActive())
+            m_control.refresh(frames, now());
+    }
     void releaseControl() override { m_control.end(now()); }
     void stopMotors(const StopPlan &plan) override;
     void expectSilence(milliseconds duration) override;
     void keepQuiet(milliseconds duration) override
     {
         m_nextBeat = std::max<TimePoint>(m_nextBeat, now() + duration);
+        m_stop.boardIsDeaf(now() + duration);
     }
     [[nodiscard]] bool cancelled() const override { return !m_held && m_cancelAt && now() >= *m_cancelAt; }
     void holdCancel(bool held) override { m_held = held; }

@@ -19,8 +19,8 @@ struct Faults
     double unplugAfter = -1;  ///< unplug: seconds until the cable is pulled
     double replugAfter = 3;  ///< replug: seconds until it is plugged in again; negative = never
     double resetAfter = -1;  ///< reset: seconds until the board restarts by itself, without notice
-    int resetOnWrite
-        = 0;  ///< reset-on-write: the n-th parameter block written from now on resets the board half-way
+    int resetOnWrite = 0;  ///< reset-on-write: the n-th parameter block written from now on resets the board
+                           ///< half-way; a drone: the n-th gain
     int deaf = -1;  ///< deaf: number, or letter code, of a command that is never answered; -1 = none
     int failWith = 0;  ///< fail: error code with which a calibration or auto-tune ends half-way, 0 = none
     double lateStreams
@@ -34,10 +34,12 @@ struct Faults
         = false;  ///< runs-on: what switches the motors off, or ends a search, is confirmed and not obeyed
     bool unknownFirmware = false;  ///< unknown-firmware: reports an unknown version
     double otherClient = -1;  ///< other-client: seconds until another client changes P of roll by 10
+    double otherGround = 0;  ///< other-ground: packets per second of another station on the same network,
+                             ///< which gets the answers and streams until we write again; 0 = none
     double shake = 1;  ///< shake: strength of the hand, 0 = tripod
     bool swappedAxes = false;  ///< swapped-axes: roll and pitch motors are swapped
     int pose = 0;  ///< pose: 0 in the gimbal, 1-6 the camera lies still with Z, -Z, X, -X, Y, -Y up, 7 tilted
-                   ///< 45° down
+                   ///< 45° down; a drone: see its board
     int mount = 0;  ///< mount: orientation of the sensor on the camera, as STorM32 numbers them
     int frameMount = 0;  ///< frame-mount: the same for the second sensor, at the frame
 

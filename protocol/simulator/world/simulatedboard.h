@@ -4,6 +4,7 @@
 
 #include "protocol/base/bytes.h"
 #include "protocol/base/clock.h"
+#include "protocol/simulator/world/cameraview.h"
 #include "protocol/simulator/world/faults.h"
 #include "protocol/transport/linkaddress.h"
 
@@ -38,6 +39,13 @@ public:
         quint64 skipped = 0;
     };
     [[nodiscard]] virtual StreamCount streamCount() const { return {}; }
+    /// What its camera sees now; empty while there is none, or nothing is sent.
+    [[nodiscard]] virtual std::optional<CameraView> cameraView() const { return {}; }
+    /// Somebody connects to it, or is gone, on a link where that can be noticed (TCP).
+    virtual void clientCame() { }
+    virtual void clientWent() { }
+    /// What another station on the same network asks now (Faults::otherGround); empty: nothing.
+    [[nodiscard]] virtual QByteArray askedByOthers() { return {}; }
     /// Changes the board's surroundings at run time.
     virtual void setFaults(const Faults &faults) = 0;
 };

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/workspace/workspace.h"
+#include "protocol/procedure/directioncheck.h"
+#include "widgets/views/card.h"
+
+#include <optional>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class SimulatedHands;
+
+/// Leads through the check of directions (DirectionCheck): what to do, what the program sees, what to answer.
+/// What was found is kept for this board and configuration.
+class DirectionCard final : public Card
+{
+    Q_OBJECT
+public:
+    explicit DirectionCard(Workspace &workspace, QWidget *parent = nullptr);
+
+    /// What is known of the connected board.
+    [[nodiscard]] CheckedDirections found() const;
+    [[nodiscard]] bool isChecking() const { return m_check.has_value(); }
+    [[nodiscard]] const DirectionCheck *check() const { return m_check ? &*m_check : nullptr; }
+    /// It has to be armed without propellers for the step that is on.
+    [[nodiscard]] bool wantsArmed() const { return m_check && m_check->isArmedStep(); }
+    void begin();
+    void cancel();
+    struct Session
+    {
+        bool isOpen = false;
+        bool isHeld = false;  ///< in a test stand, with its propellers on
+        bool isArmed = false;
+    };
+    /// What is measured now. @param sticks as the operator pushes them
+    void feed(const DirectionCheck::Axes &sticks, const Session &session);
+
+    [[nodiscard]] QPushButton *beginButton() const { return m_begin; }
+    [[nodiscard]] QPushButton *yesButton() const { return m_yes; }
+    [[nodiscard]] QPushButton *noButton() const { return m_no; }
+    [[nodiscard]] QString instruction() const;
+
+signals:
+    /// It has begun, ended, or is at another step.
+    void stepChanged();
+
+private:
+    void show();
+    void answer(bool isRight);
+    void keep();
+    [[nodiscard]] QString sees() const;
+    [[nodiscard]] QString question() const;
+
+    [[nodiscard]] QString lacking() const;
+    [[nodiscard]] std::array<int, kAxisCount> sizes() const;
+
+    Workspace &m_workspace;
+    Session m_session;
+    std::optional<DirectionCheck> m_check;
+    int m_shownStep = -1;
+    QLabel *m_what;
+    QLabel *m_sees;
+    QProgressBar *m_progress;
+    SimulatedHands *m_hands;
+    QPushButton *m_begin;
+    QPushButton *m_cancel;
+    QPushButton *m_yes;
+    QPushButton *m_no;
+};

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the page for flying says.
+#include "app/pages/board/flightpage.h"
+#include "protocol/device/flight.h"
+#include "widgets/models/errortext.h"
+#include "widgets/models/parametermodel.h"
+
+#include <QCheckBox>
+
+using namespace Qt::StringLiterals;
+
+QString FlightPage::stateText() const
+{
+    const DeviceClient &client = workspace().client();
+    const FlyingMachine *flight = client.isConnected() ? client.device()->flight() : nullptr;
+    if (flight && *flight->refusal())
+        return tableText(flight->refusal());
+    if (!client.isConnected())
+        return tr("No drone is connected.");
+    switch (m_session.phase()) {
+    case ArmingSession::Phase::Closed:
+        return tr("Nothing is sent that steers. Open a control session to arm it from here.");
+    case ArmingSession::Phase::Holding: return tr("Keep holding: it arms after a second.");
+    case ArmingSession::Phase::Asked: return tr("It is told to arm.");
+    case ArmingSession::Phase::Armed:
+        return tr("Armed from here. Leaving this page or window, a lost link and %1 s without a movement "
+                  "disarm it.")
+            .arg(workspace().settings().disarmSeconds());
+    case ArmingSession::Phase::Open: break;
+    }
+    const ArmingBar bar = m_session.bar(known(), sticks(), Clock::now());
+    const QString ended = m_session.ended() == ArmingBar::None
+        ? QString()
+        : tr("Control has ended: %1").arg(barText(m_session.ended())) + u' ';
+    return ended
+        + (bar == ArmingBar::None ? tr("Ready: hold the key for a second to arm it.")
+                                  : tr("It cannot be armed: %1").arg(barText(bar)));
+}
+
+// Each goes on where "Control has ended:" or "It cannot be armed:" begins.
+QString FlightPage::barText(ArmingBar bar)
+{
+    switch (bar) {
+    case ArmingBar::None: return {};
+    case ArmingBar::NoLink: return tr("there is no link.");
+    case ArmingBar::Silent: return tr("nothing has come from it for a second.");
+    case ArmingBar::NoState: return tr("it does not say whether it is armed.");
+    case ArmingBar::Unchecked: return tr("its directions have not been checked.");
+    case ArmingBar::NoPropellerWord: return tr("no control session is open.");
+    case ArmingBar::NotCalibrated: return tr("it is not calibrated.");
+    case ArmingBar::Calibrating: return tr("it is calibrating.");
+    case ArmingBar::ArmedElsewhere: return tr("it is armed already, and not from here.");
+    case ArmingBar::MotorsTurn: return tr("its motors are driven although it is disarmed.");
+    case ArmingBar::Busy: return tr("it is at work: a procedure or a write runs.");
+    case ArmingBar::Stopping: return tr("its motors are being stopped, and it has not confirmed that.");
+    case ArmingBar::Throttle: return tr("the throttle is not at zero.");
+    case ArmingBar::NoSticks: return tr("the sticks have told nothing for a quarter of a second.");
+    case ArmingBar::Operator: return tr("by you.");
+    case ArmingBar::NotArmed: return tr("it was told to arm, and did not say that it is armed.");
+    case ArmingBar::Disarmed: return tr("it says so itself, and nobody told it to from here.");
+    case ArmingBar::Focus: return tr("the window was not in front any more.");
+    case ArmingBar::Hidden: return tr("this page was not seen any more.");
+    case ArmingBar::Locked: return tr("the screen was locked.");
+    case ArmingBar::Idle: return tr("nothing was moved for too long.");
+    case ArmingBar::Emergency: return tr("the motors were stopped.");
+    case ArmingBar::Changed: return tr("values are being set.");
+    case ArmingBar::Hung: return tr("this program did not send in time.");
+    case ArmingBar::Unguarded:
+        return tr("the process that stops it if this program dies has not started, or has ended.");
+    case ArmingBar::Failed: return tr("an error occurred.");
+    }
+    return {};
+}

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/workspace/flightstate.h"
+
+#include "app/workspace/workspace.h"
+#include "protocol/device/device.h"
+#include "protocol/device/flight.h"
+#include "protocol/device/motorlayout.h"
+#include "protocol/telemetry/telemetrystore.h"
+#include "widgets/views/attitudeview.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace {
+
+// The state is asked for five times a second; a lost packet or two are no news.
+constexpr auto kOldState = 1500ms;
+
+}  // namespace
+
+std::optional<bool> freshlyTold(const Workspace &workspace, int channel)
+{
+    const auto store = workspace.client().telemetry();
+    const double value = workspace.latest(channel);
+    if (!workspace.client().isConnected() || !store || channel < 0 || std::isnan(value)
+        || Clock::now() - store->latestAt(channel) > kOldState)
+        return {};
+    return value != 0;
+}
+
+TimePoint lastToldZero(const Workspace &workspace, int channel, TimePoint since)
+{
+    const auto store = workspace.client().telemetry();
+    if (!store || channel < 0)
+        return {};
+    const double from = store->secondsAt(since);
+    std::optional<double> last;
+    for (TrackView &track : store->tracks(channel)) {
+        track.refresh();
+        for (std::size_t row = track.end(); row > track.begin() && track.time(row - 1) >= from; --row) {
+            if (track.value(row - 1) != 0)
+                continue;
+            last = std::max(last.value_or(from), track.time(row - 1));
+            break;
+        }
+    }
+    return last ? store->origin() + std::chrono::round<Duration>(std::chrono::duration<double>(*last))
+                : TimePoint{};
+}
+
+ArmedState::State flightState(const Workspace &workspace)
+{
+    const ChannelRoles &roles = workspace.roles();
+    // What it said before says nothing of the test that it carries out.
+    if (workspace.isDeaf())
+        return ArmedState::State::RunsOn;
+    return ArmedState::stateOf(freshlyTold(workspace, roles.armed), freshlyTold(workspace, roles.calibrated),
+                               freshlyTold(workspace, roles.calibrating),
+                               freshlyTold(workspace, roles.outputs));
+}
+
+double flightAngle(const Workspace &workspace, std::size_t axis)
+{
+    const ChannelRoles &roles = workspace.roles();
+    return freshlyTold(workspace, roles.calibrated).value_or(false) ? workspace.latest(roles.angle[axis])
+                                                                    : qQNaN();
+}
+
+QByteArray axesKey(const Workspace &workspace)
+{
+    const DeviceClient &client = workspace.client();
+    const Device *device = client.isConnected() ? client.device() : nullptr;
+    const ConfigurationModel &shown = workspace.configuration();
+    return device && device->flight() && !shown.isEmpty() ? device->flight()->axesKey(shown.board())
+                                                          : QByteArray();
+}
+
+CheckedDirections checkedDirections(Workspace &workspace)
+{
+    const QByteArray key = axesKey(workspace);
+    return key.isEmpty() ? CheckedDirections()
+                         : CheckedDirections::decode(workspace.settings().checkedDirections(
+                             workspace.client().identity().serial, key));
+}
+
+void showAttitude(Workspace &workspace, AttitudeView &view)
+{
+    view.setPlaceholder(
+        flightState(workspace) == ArmedState::State::NotCalibrated
+            ? QCoreApplication::translate("Workspace", "It tells no attitude before a calibration")
+            : QCoreApplication::translate("Workspace", "No attitude yet"));
+    // Found is what grows with the nose down; a horizon is drawn by what grows with the nose up.
+    const CheckedDirections found = checkedDirections(workspace);
+    const bool isFound = found.level != CheckedDirections::Level::Nothing;
+    const double up = isFound ? -found.angles[1] : 1;
+    view.setAttitude(found.angles[0] * flightAngle(workspace, 0), up * flightAngle(workspace, 1),
+                     found.angles[2] * flightAngle(workspace, 2));
+}
+
+int motorCount(const Workspace &workspace)
+{
+    int count = 0;
+    for (const int channel : workspace.roles().motors)
+        count += std::isnan(workspace.latest(channel)) ? 0 : 1;
+    return count;
+}
+
+void showMotors(const Workspace &workspace, MotorDiagram &diagram)
+{
+    const MotorLayout *layout = workspace.tables() ? workspace.tables()->motorLayout() : nullptr;
+    const ConfigurationModel &model = workspace.configuration();
+    const std::vector<MotorShare> shares
+        = layout && !model.isEmpty() ? layout->motorShares(model.board()) : std::vector<MotorShare>();
+    const int told = motorCount(workspace);
+    diagram.setMotors(told > 0 ? told : int(shares.size()), shares);
+    std::vector<double> outputs;
+    for (const int channel : workspace.roles().motors)
+        outputs.push_back(workspace.latest(channel));
+    diagram.setOutputs(outputs);
+}

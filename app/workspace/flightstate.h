@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/procedure/directioncheck.h"
+#include "widgets/views/armedstate.h"
+#include "widgets/views/motordiagram.h"
+
+class AttitudeView;
+class Workspace;
+
+// What every page that shows a flying machine says of it, by roles.
+
+/// Armed, calibrated and so on, as the board has reported within the last moment; older is not known.
+[[nodiscard]] ArmedState::State flightState(const Workspace &workspace);
+/// Whether a channel's newest value is not 0; empty: there is none, or it is old.
+[[nodiscard]] std::optional<bool> freshlyTold(const Workspace &workspace, int channel);
+/// When a channel was told last to be 0, not before `since`; TimePoint{}: it was not.
+[[nodiscard]] TimePoint lastToldZero(const Workspace &workspace, int channel, TimePoint since);
+/// An angle of its attitude; NaN before a calibration, when the board tells 0 or what it was long ago.
+[[nodiscard]] double flightAngle(const Workspace &workspace, std::size_t axis);
+/// What decides how the board shown counts its axes (FlyingMachine::axesKey); empty: nothing flies, or
+/// nothing was read.
+[[nodiscard]] QByteArray axesKey(const Workspace &workspace);
+/// What a check of its directions has found, if there was one since that has changed.
+[[nodiscard]] CheckedDirections checkedDirections(Workspace &workspace);
+/// Draws the attitude as the check of directions has found it, without one as the board tells it; or says why
+/// there is none.
+void showAttitude(Workspace &workspace, AttitudeView &view);
+/// How many numbered motors the board has reported so far; 0: it has not.
+[[nodiscard]] int motorCount(const Workspace &workspace);
+/// Gives the diagram the motors of the board, with their places as far as its configuration tells them, and
+/// what they are driven with.
+void showMotors(const Workspace &workspace, MotorDiagram &diagram);

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Another firmware for a drone (errata 7.4).
+#include "protocol/base/battery.h"
+#include "protocol/base/checksum.h"
+#include "protocol/base/filefault.h"
+#include "protocol/bcflight/device.h"
+#include "protocol/bcflight/infotext.h"
+#include "protocol/bcflight/messages.h"
+#include "protocol/session/channel.h"
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace bcflight {
+
+namespace {
+
+constexpr qint64 kLargestImage = 4194304;  // offset and size of each piece lie below 4 MiB
+constexpr qsizetype kPiece = 1024;
+constexpr int kRepeats = 8;  // of what has no answer, as the original sends it
+constexpr auto kBetweenRepeats = 50ms;
+constexpr auto kPieceAnswer = 100ms;
+constexpr int kPieceRetries = 30;  // three seconds without a word
+constexpr auto kToldEvery = 100ms;
+constexpr auto kReplaces = 15s;  // fixed waits of about 8 s before it restarts
+constexpr auto kStartsAnew = 60s;
+constexpr std::uint32_t kTaken = 1;
+constexpr std::uint32_t kDamagedPiece = 2;
+
+// What is wrong with a piece's head leaves the piece unread: the drone takes its bytes for commands.
+std::optional<Result<Frame>> pieceAnswer(const FrameView &frame)
+{
+    if (frame.id != int(Message::UploadData))
+        return {};
+    const FieldSpec field{"code", FieldType::U32};
+    const auto values = decodeFields({&field, 1}, frame.payload);
+    const std::uint32_t code = values.empty() ? 0 : std::uint32_t(values.front().number);
+    if (code == kTaken)
+        return Result<Frame>(Frame(frame));
+    if (code == kDamagedPiece)
+        return tl::unexpected(Error{ErrorCode::Damaged, u"a piece of the firmware"_s, int(code)});
+    return tl::unexpected(Error{ErrorCode::BoardError,
+                                u"the drone did not take a piece of the firmware, and may have taken its "
+                                "bytes for commands; look whether it is armed"_s,
+                                int(code)});
+}
+
+// What its level is counted from, by its own number of cells (errata 4.2).
+constexpr double kEmptyCellVolts = 3.0;
+constexpr double kCellSpan = 1.2;
+
+// A drone that loses its power while it replaces its program has none afterwards.
+Result<void> checkBattery(const Telemetry &now)
+{
+    if (now.voltage <= kNoBatteryVolts)
+        return {};  // supplied otherwise, or not measured
+    const double least = lowBattery(batteryCells(now.voltage), kLowCellVolts, {}).value_or(0.0);
+    const bool isLow = now.voltage < least || kEmptyCellVolts + kCellSpan * now.level / 100 < kLowCellVolts;
+    return isLow ? failure(ErrorCode::ConditionUnmet,
+                           u"the battery is low: %1 V, %2 %. A drone that loses its power while its program "
+                           "is replaced does not start any more; charge or change the battery first"_s
+                               .arg(now.voltage, 0, 'f', 1)
+                               .arg(now.level))
+                 : Result<void>();
+}
+
+// From the first message on its stream is silent, and nothing but a restart brings it back.
+Error leftSilent(Error error)
+{
+    addDetail(error.detail,
+              u"the drone runs the firmware that it had; its stream stays silent until it is restarted: "
+              "switch it off and on"_s);
+    return error;
+}
+
+}  // namespace
+
+Result<QString> Device::firmwareVersion(Channel &channel)
+{
+    const auto told = channel.transact(ask(Message::GetBoardInfos));
+    if (!told)
+        return tl::unexpected(told.error());
+    const auto info = readInfo(told->payload.left(told->payload.indexOf('\0')));
+    if (!info)
+        return QString();
+    const auto it = std::find_if(info->begin(), info->end(),
+                                 [](const InfoNode &node) { return node.name == u"Firmware version"_s; });
+    return it == info->end() ? QString() : it->value;
+}
+
+Result<ActionReply> Device::uploadFirmware(Channel &channel, const QString &path)
+{
+    const auto image = readWhole(path, FileKind::Firmware, kLargestImage);
+    if (!image)
+        return tl::unexpected(image.error());
+    if (image->isEmpty())
+        return fileFailure({.problem = FileProblem::Empty, .kind = FileKind::Firmware, .path = path});
+    // Over a stream a piece may arrive in two parts, and the second would be taken for commands (2.6).
+    if (!channel.observation().isPacketBased)
+        return failure(ErrorCode::Unsupported, u"firmware is uploaded over UDP only"_s);
+    if (const auto ready = checkDisarmed(channel); !ready)
+        return tl::unexpected(ready.error());
+    const auto told = channel.transact(askState(Message::Telemetry));
+    const auto telemetry = told ? Telemetry::decode(asBytes(told->payload)) : std::nullopt;
+    if (!telemetry)
+        return told ? failure(ErrorCode::BadReply, u"TELEMETRY"_s) : tl::unexpected(told.error());
+    if (const auto lasts = checkBattery(*telemetry); !lasts)
+        return tl::unexpected(lasts.error());
+    const auto before = firmwareVersion(channel);
+    if (!before)
+        return tl::unexpected(before.error());
+    for (int i = 0; i < kRepeats; ++i) {
+        channel.post(order(Message::UploadInit));
+        if (const auto slept = channel.sleep(kBetweenRepeats); !slept)
+            return tl::unexpected(leftSilent(slept.error()));
+    }
+    if (const auto sent = sendPieces(channel, *image); !sent)
+        return tl::unexpected(leftSilent(sent.error()));
+    // It would restart in the air as well.
+    if (const auto ready = checkDisarmed(channel); !ready)
+        return tl::unexpected(leftSilent(ready.error()));
+    if (channel.cancelled())
+        return tl::unexpected(leftSilent({ErrorCode::Cancelled, {}, 0}));
+    const Unbroken unbroken(channel);
+    if (const auto replaced = replaceProgram(channel, crc32c(asBytes(*image))); !replaced)
+        return tl::unexpected(replaced.error());
+    const auto after = firmwareVersion(channel);
+    if (!after)
+        return tl::unexpected(after.error());
+    // Only another version shows that it is another firmware.
+    ActionReply reply{{u"before"_s, *before}, {u"firmware"_s, *after}, {u"bytes"_s, image->size()}};
+    reply.insert(u"confirmed"_s, *after != *before);
+    if (*after == *before)
+        reply.insert(u"unproven"_s,
+                     u"the drone has restarted and tells the same version as before: whether it runs the "
+                     "new firmware is not known"_s);
+    return reply;
+}
+
+// In order, each its own packet, and the next one only once the drone has this one: a first piece that came
+// again after later ones would erase them. Late answers to a piece that was sent twice are waited for
+// (TransactionQueue), so that none is taken for that to the next.
+Result<void> Device::sendPieces(Channel &channel, const QByteArray &image)
+{
+    Progress progress;
+    progress.step = u"firmware-upload"_s;
+    progress.total = int((image.size() + kPiece - 1) / kPiece);
+    TimePoint told{};
+    for (qsizetype at = 0; at < image.size(); at += kPiece) {
+        Request request
+            = ask(Message::UploadData,
+                  encodeChunk(std::uint32_t(at),
+                              QByteArrayView(image).sliced(at).first(std::min(kPiece, image.size() - at))));
+        request.answer = pieceAnswer;
+        request.timeout = kPieceAnswer;
+        request.retries = kPieceRetries;
+        if (const auto taken = channel.transact(request); !taken)
+            return tl::unexpected(taken.error());
+        ++progress.done;
+        if (channel.now() - told >= kToldEvery || progress.done == progress.total) {
+            told = channel.now();
+            progress.values = {{u"bytes"_s, double(std::min(image.size(), at + kPiece))},
+                               {u"all"_s, double(image.size())}};
+            channel.progress(progress);
+        }
+    }
+    return {};
+}
+
+// No answer. On a mismatch it only writes its own log, and goes on as it was.
+Result<void> Device::replaceProgram(Channel &channel, std::uint32_t crc)
+{
+    channel.expectSilence(kReplaces + kStartsAnew);
+    Progress progress;
+    progress.step = u"firmware-restart"_s;
+    channel.progress(progress);
+    for (int i = 0; i < kRepeats; ++i) {
+        channel.post(order(Message::UploadProcess, bigU32(crc)));
+        if (const auto slept = channel.sleep(kBetweenRepeats); !slept)
+            return slept;
+    }
+    return awaitReturn(channel, kReplaces, kStartsAnew);
+}
+
+}  // namespace bcflight

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/bcflight/messages.h"
+#include "protocol/session/linkprobe.h"
+
+#include <deque>
+#include <map>
+
+namespace bcflight {
+
+/// The truth of a link to a drone, from its PING (errata 3) and from what it answers.
+///
+/// The drone sends answers and stream to whoever sent last (errata 2.1). So a second ground shows itself
+/// here: by answers to PINGs with ticks that are not ours, by answers to what was not asked, and by a stream
+/// that thins out although our own PINGs are answered.
+class PingProbe final : public LinkProbe
+{
+public:
+    static constexpr std::size_t kRemembered = 20;  ///< PINGs
+    static constexpr auto kDue = 1s;  ///< later, a PING counts as unanswered
+    static constexpr auto kShareMemory = 5s;  ///< so long a second ground is told of after its last sign
+    static constexpr auto kAnswerable = 60s;  ///< longest time between a question and its answer
+    static constexpr auto kWindow = 1s;  ///< in which the stream is counted
+    static constexpr double kThin = 0.6;  ///< share of the stream's rate below which it is thinned out
+    static constexpr auto kPause = 600ms;  ///< without a word: then the link paused, and nobody took anything
+
+    /// The clock in ms, low 16 bits.
+    [[nodiscard]] static std::uint16_t tickAt(TimePoint time);
+
+    [[nodiscard]] QByteArray beat(TimePoint now) override;
+    void sent(Bytes bytes, TimePoint now) override;
+    void frameArrived(const FrameView &frame, TimePoint at) override;
+    [[nodiscard]] ProbedLink quality(TimePoint now) const override;
+
+private:
+    struct Ping
+    {
+        std::uint16_t tick = 0;
+        TimePoint at{};
+        bool isAnswered = false;
+    };
+    void pingSent(std::uint16_t tick, TimePoint now);
+    void pingArrived(Bytes payload, TimePoint at);
+    void noteAsked(Message id, TimePoint now);
+    void noteForeign(TimePoint at);
+    void countStream(TimePoint at);
+    void closeWindows(TimePoint now);
+    [[nodiscard]] std::optional<double> answered(TimePoint now) const;
+
+    std::deque<Ping> m_pings;  // the newest last
+    std::optional<Duration> m_roundTrip;
+    std::map<Message, TimePoint> m_asked;
+    quint64 m_foreign = 0;
+    std::optional<TimePoint> m_sharedAt;
+
+    // Packets of the stream.
+    TimePoint m_windowEnd{};
+    TimePoint m_packetAt{};
+    TimePoint m_heardAt{};  // of anything
+    Duration m_gap{};  // the longest between two words that ended in this window
+    int m_packets = 0;
+    int m_before = 0;  // in the window before
+    int m_usual = 0;  // in two windows in a row, at best
+    int m_thinWindows = 0;
+};
+
+}  // namespace bcflight

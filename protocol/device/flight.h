@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/base/result.h"
+
+#include <QByteArray>
+
+class Channel;
+class Configuration;
+
+/// Machines that fly: their motors run as long as what steers them says "armed", and stopping them makes them
+/// fall. They are steered through Steering, whose only switch arms; see ArmingSession for the rules.
+class FlyingMachine
+{
+public:
+    virtual ~FlyingMachine() = default;
+
+    /// Why it is not steered from here, as a sentence of the tables; empty if it may be (Steering is there
+    /// then).
+    [[nodiscard]] virtual const char *refusal() const = 0;
+    /// The action without which it cannot be armed, where it lacks it (ArmingBar::NotCalibrated).
+    [[nodiscard]] virtual const char *calibration() const = 0;
+    /// What of a configuration decides how its axes are counted and its motors take part. Where it changes,
+    /// the directions have to be checked anew.
+    [[nodiscard]] virtual QByteArray axesKey(const Configuration &configuration) const = 0;
+    /// Asks it whether it may be told anything that changes something. On the worker. Errors: ConditionUnmet
+    /// (it is armed or calibrates), those of the channel.
+    virtual Result<void> checkAtRest(Channel &channel) = 0;
+    /// Asks it once whether it is armed. On the worker. Errors: those of the channel.
+    virtual Result<bool> askArmed(Channel &channel) = 0;
+    /// By the operator's word it is held in a test stand: values in use may be set while it is armed.
+    /// May be called on any thread.
+    virtual void setHeld(bool held) = 0;
+};

@@ -1,0 +1,375 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/families/bcflight/benchcards.h"
+#include "app/families/bcflight/benchpage.h"
+#include "app/mainwindow/bannerarea.h"
+#include "app/mainwindow/bars.h"
+#include "app/mainwindow/linkbar.h"
+#include "app/mainwindow/messagebar.h"
+#include "app/pages/watch/dashboardpage.h"
+#include "app/pages/watch/flightoverview.h"
+#include "protocol/base/filefault.h"
+#include "protocol/bcflight/messages.h"
+#include "protocol/bcflight/payloads.h"
+#include "protocol/session/channel.h"
+#include "tests/support/patience.h"
+#include "tests/support/windowrig.h"
+#include "widgets/forms/numberbox.h"
+#include "widgets/views/armedstate.h"
+#include "widgets/views/attitudeview.h"
+#include "widgets/views/gimbalview.h"
+#include "widgets/views/motordiagram.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+
+using namespace Qt::StringLiterals;
+using State = ArmedState::State;
+
+/// A simulated drone on the bench, as the operator sees it.
+class TestBenchPage final : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init();
+    void cleanup() { m_rig.reset(); }
+    void droneIsShownAtAGlance();
+    void motorIsChosenConfirmedAndTurned();
+    void redButtonSaysThatItIsDeaf();
+    void fileIsLookedAtFirst();
+    void firmwareNeedsABattery();
+    void firmwareIsUploaded();
+    void cancelSaysWhatIsLeft();
+    void phasesOfTheControllersAreShown();
+    void controllersAreCalibratedUntilTheRedButton();
+    void armedIsUnmistakable();
+
+private:
+    BenchPage &bench() { return *m_rig->page<BenchPage>(); }
+    bool calibrate()
+    {
+        // Whether it is armed has to be known.
+        const auto isDisarmed
+            = [this] { return m_rig->workspace().latest(m_rig->workspace().roles().armed) == 0; };
+        if (!QTest::qWaitFor(isDisarmed, kPatience))
+            return false;
+        const auto done = m_rig->workspace().perform(u"calibrate.all"_s, {});
+        return QTest::qWaitFor([&done] { return done.isFinished(); }, kPatience) && done.result().has_value();
+    }
+    /// Answers the question that stands in the window by its first choice.
+    bool confirm(const QString &words)
+    {
+        const auto *offers = m_rig->window().offerBar();
+        if (!QTest::qWaitFor([&] {
+                return offers->isVisible() && !offers->buttons().isEmpty()
+                    && offers->buttons().first()->text().contains(words);
+            }))
+            return false;
+        offers->buttons().first()->click();
+        return true;
+    }
+    QString firmwareFile(const QString &name, qsizetype size, const QByteArray &version = "7.7")
+    {
+        const QString path = m_rig->filePath(name);
+        QByteArray image = "version " + version + '\n';
+        image.resize(size, 'x');
+        return writeWhole(path, image) ? path : QString();
+    }
+    std::unique_ptr<WindowRig> m_rig;
+};
+
+void TestBenchPage::init()
+{
+    static int seed = 700;
+    m_rig = std::make_unique<WindowRig>();
+    QVERIFY(m_rig->open(u"sim:bcflight?stand=1&seed=%1"_s.arg(++seed)));
+}
+
+void TestBenchPage::droneIsShownAtAGlance()
+{
+    DashboardPage &page = *m_rig->page<DashboardPage>();
+    auto *overview = page.findChild<FlightOverview *>();
+    QVERIFY(overview && overview->isVisible());
+    QVERIFY(!page.findChild<GimbalView *>()->isVisible());  // it carries no camera that would be drawn
+    QTRY_COMPARE(overview->state()->state(), State::NotCalibrated);
+    // What it tells of its attitude before a calibration is not true.
+    QCOMPARE(overview->attitude()->accessibleDescription(), u"No data"_s);
+    QTRY_COMPARE(overview->motors()->count(), 4);
+    QVERIFY(overview->motors()->hasPlaces());
+    QTRY_COMPARE(overview->motors()->outputText(1), u"stands"_s);
+    QVERIFY(calibrate());
+    QTRY_COMPARE(overview->state()->state(), State::Disarmed);
+    QTRY_VERIFY(overview->attitude()->accessibleDescription().contains(u"pitch"_s));
+    const auto says = [&page](const QString &text) {
+        for (const QLabel *label : page.findChildren<QLabel *>()) {
+            if (label->text().contains(text))
+                return true;
+        }
+        return false;
+    };
+    for (const QString &text : {u"Processor load"_s, u"Control loop"_s, u"Drone receives"_s, u"-48 dBm"_s})
+        QTRY_VERIFY2(says(text), qPrintable(text));
+    QVERIFY(!says(u"Sensor bus errors"_s));  // nobody tells them
+    // Its sensor is not read: 0 A is no value (errata 4.2).
+    QVERIFY(says(u"Current"_s));
+    QVERIFY(!says(u"0.00 A"_s) && !says(u"0.0 A"_s));
+    QVERIFY(std::isnan(m_rig->workspace().latest(m_rig->workspace().roles().current)));
+    // An almost empty battery: what is shown stays within its limits, what came stands beside it.
+    m_rig->workspace().changeWorld(u"battery=11"_s);
+    QTRY_VERIFY(says(u"0 % (reported: -"_s));
+    // Without a link nobody knows; it is not said to be disarmed.
+    m_rig->client().disconnectFromBoard();
+    QTRY_COMPARE(overview->state()->state(), State::Unknown);
+}
+
+void TestBenchPage::motorIsChosenConfirmedAndTurned()
+{
+    QTRY_VERIFY(bench().obstacle().contains(u"Calibrate it first"_s));
+    QVERIFY(!bench().turnButton()->isEnabled() && !bench().escs()->startButton()->isEnabled());
+    QVERIFY(calibrate());
+    QTRY_VERIFY(bench().obstacle().isEmpty());
+    QTRY_VERIFY(bench().turnButton()->text().contains(u'1'));
+    MotorDiagram *motors = bench().motors();
+    QTest::mouseClick(motors, Qt::LeftButton, {}, motors->placeOf(2).toPoint());
+    QTRY_VERIFY(bench().turnButton()->isEnabled());
+    QVERIFY(bench().turnButton()->text().contains(u'2'));
+    auto *number = bench().findChild<NumberBox *>();
+    QCOMPARE(number->value(), 2.0);
+    number->setValue(4);
+    QCOMPARE(motors->selected(), 4);
+    number->setValue(2);
+    for (int round = 0; round < 2; ++round) {  // that the propellers are off is asked each time
+        QTest::mouseClick(bench().turnButton(), Qt::LeftButton);
+        QVERIFY(bench().isUnderWay());
+        QCOMPARE(bench().deafText(), QString());
+        // What is asked names the motor, and no other can be chosen meanwhile.
+        QTRY_VERIFY(!m_rig->window().offerBar()->buttons().isEmpty());
+        QVERIFY(m_rig->window().offerBar()->buttons().first()->text().contains(u"Motor 2"_s));
+        QTest::mouseClick(motors, Qt::LeftButton, {}, motors->placeOf(1).toPoint());
+        QCOMPARE(motors->selected(), 2);
+        QVERIFY(!number->isEnabled());
+        if (round == 1)
+            break;
+        QVERIFY(confirm(u"The propellers are off"_s));
+        QTRY_VERIFY(bench().deafText().contains(u"more second"_s));
+        QTRY_COMPARE_WITH_TIMEOUT(motors->outputText(2), u"5 %"_s, 6000);
+        QCOMPARE(motors->outputText(1), u"stands"_s);
+        QVERIFY(motors->accessibleDescription().contains(u"being tested"_s));
+        QTRY_VERIFY_WITH_TIMEOUT(!bench().isUnderWay(), kPatience);
+        QCOMPARE(bench().deafText(), QString());
+        QTRY_COMPARE(motors->outputText(2), u"stands"_s);
+        QTRY_VERIFY(bench().turnButton()->isEnabled());
+    }
+    m_rig->window().offerBar()->buttons().last()->click();
+    QTRY_VERIFY(!bench().isUnderWay());
+}
+
+// It says how long the drone hears nothing, and that the stop comes first then; so it does.
+void TestBenchPage::redButtonSaysThatItIsDeaf()
+{
+    QVERIFY(calibrate());
+    bench().motors()->setSelected(1);
+    QTRY_VERIFY(bench().turnButton()->isEnabled());
+    QTest::mouseClick(bench().turnButton(), Qt::LeftButton);
+    QVERIFY(confirm(u"The propellers are off"_s));
+    QTRY_VERIFY(!bench().deafText().isEmpty());
+    // What it said before counts no more, although nothing turns yet.
+    QVERIFY(QTest::qWaitFor([this] {
+        return bench().findChild<ArmedState *>()->state() == State::RunsOn
+            && m_rig->workspace().latest(m_rig->workspace().roles().outputs) == 0;
+    }));
+    auto *red = m_rig->window().findChild<QPushButton *>(u"motors"_s);
+    QVERIFY(red);
+    QTRY_VERIFY2(red->text().contains(u"deaf"_s), qPrintable(red->text()));
+    QSignalSpy stopped(&m_rig->client(), &DeviceClient::motorsOffFinished);
+    QStringList told;
+    connect(&m_rig->workspace().notifications(), &Notifications::notice, this,
+            [&told](const QString &text) { told.append(text); });
+    QStringList problems;
+    connect(&m_rig->workspace().notifications(), &Notifications::problem, this,
+            [&problems](const ErrorText &text) { problems.append(text.what); });
+    QSignalSpy withdrawn(&m_rig->workspace().notifications(), &Notifications::withdrawn);
+    QList<AlarmKind> alarms;
+    connect(&m_rig->client(), &DeviceClient::alarmChanged, this,
+            [&alarms](const AlarmReport &report) { alarms.append(report.alarm.kind); });
+    QTest::mouseClick(red, Qt::LeftButton);
+    QTRY_VERIFY(told.join(u' ').contains(u"first thing that it hears"_s));
+    QVERIFY2(told.join(u' ').contains(u"8 more second"_s), qPrintable(told.join(u' ')));
+    QCOMPARE(stopped.count(), 0);
+    // That stays to be read, and red is red, although no motor turns yet.
+    QTRY_VERIFY(red->property("running").toBool());
+    QTRY_COMPARE(bench().findChild<ArmedState *>()->state(), State::RunsOn);
+    QVERIFY(withdrawn.isEmpty());
+    QTRY_VERIFY_WITH_TIMEOUT(stopped.count() > 0, kPatience);
+    QVERIFY(stopped.first().first().toBool());
+    // Who has stopped it is told so, and how it stands: that is no error.
+    QTRY_VERIFY_WITH_TIMEOUT(told.join(u' ').contains(u"You stopped “Turn one motor”"_s), kPatience);
+    QVERIFY2(told.join(u' ').contains(u"proven"_s), qPrintable(told.join(u' ')));
+    QVERIFY2(problems.isEmpty(), qPrintable(problems.join(u' ')));
+    // The test that goes on drives its motors although it is disarmed: that is what it is for.
+    QVERIFY(!alarms.contains(AlarmKind::Disarmed));
+    // Nothing was said to be unconfirmed while it could not hear.
+    QVERIFY2(!told.join(u' ').contains(u"does not confirm yet"_s), qPrintable(told.join(u' ')));
+    QTRY_VERIFY_WITH_TIMEOUT(!bench().isUnderWay(), kPatience);
+}
+
+void TestBenchPage::fileIsLookedAtFirst()
+{
+    FirmwareCard *card = bench().firmware();
+    QVERIFY(!card->uploadButton()->isEnabled());
+    card->choose(firmwareFile(u"large.bin"_s, 4194305));
+    QVERIFY2(!card->said().isEmpty() && !card->uploadButton()->isEnabled(), qPrintable(card->said()));
+    card->choose(firmwareFile(u"empty.bin"_s, 0));
+    QVERIFY(!card->said().isEmpty() && !card->uploadButton()->isEnabled());
+    card->choose(m_rig->filePath(u"none.bin"_s));
+    QVERIFY(!card->said().isEmpty() && !card->uploadButton()->isEnabled());
+    card->choose(firmwareFile(u"good.bin"_s, 4194304));
+    QVERIFY(card->said().isEmpty());
+    QTRY_VERIFY(card->uploadButton()->isEnabled());
+}
+
+void TestBenchPage::firmwareNeedsABattery()
+{
+    FirmwareCard *card = bench().firmware();
+    card->choose(firmwareFile(u"new.bin"_s, 20000));
+    m_rig->workspace().changeWorld(u"battery=13.2"_s);
+    QTRY_VERIFY(std::abs(m_rig->workspace().latest(m_rig->workspace().roles().battery) - 13.2) < 0.3);
+    QTRY_VERIFY(card->uploadButton()->isEnabled());
+    QTest::mouseClick(card->uploadButton(), Qt::LeftButton);
+    QVERIFY(!card->isRunning());
+    QVERIFY2(card->said().contains(u"battery is low"_s), qPrintable(card->said()));
+}
+
+void TestBenchPage::firmwareIsUploaded()
+{
+    FirmwareCard *card = bench().firmware();
+    card->choose(firmwareFile(u"new.bin"_s, 20000));
+    QTRY_VERIFY(card->uploadButton()->isEnabled());
+    QCOMPARE(m_rig->client().identity().firmware, u"1.0"_s);
+    QTest::mouseClick(card->uploadButton(), Qt::LeftButton);
+    QVERIFY(card->isRunning() && bench().isUnderWay());
+    QVERIFY(confirm(u"The file was made for this drone"_s));
+    QTRY_VERIFY_WITH_TIMEOUT(card->said().contains(u"do not switch it off"_s), kPatience);
+    QVERIFY(!card->cancelButton()->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(!card->isRunning(), 2 * kPatience);
+    QVERIFY2(card->said().contains(u"7.7"_s) && card->said().startsWith(u'✓'), qPrintable(card->said()));
+    // And the window knows it.
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && m_rig->client().identity().firmware == u"7.7"_s,
+                             kPatience);
+}
+
+void TestBenchPage::cancelSaysWhatIsLeft()
+{
+    FirmwareCard *card = bench().firmware();
+    card->choose(firmwareFile(u"long.bin"_s, 4000000));
+    QTRY_VERIFY(card->uploadButton()->isEnabled());
+    QTest::mouseClick(card->uploadButton(), Qt::LeftButton);
+    QVERIFY(confirm(u"The file was made for this drone"_s));
+    QTRY_VERIFY_WITH_TIMEOUT(card->said().contains(u" of "_s), kPatience);
+    QTest::mouseClick(card->cancelButton(), Qt::LeftButton);
+    QTRY_VERIFY(!card->isRunning());
+    QVERIFY2(card->said().contains(u"stays silent until it is restarted"_s), qPrintable(card->said()));
+    QVERIFY(m_rig->jobsAreDone());
+    QCOMPARE(m_rig->client().identity().firmware, u"1.0"_s);
+    QVERIFY(m_rig->client().isConnected());
+}
+
+void TestBenchPage::phasesOfTheControllersAreShown()
+{
+    EscCard card;
+    card.setReady(true);
+    QVERIFY(card.startButton()->isEnabled());
+    const auto boldOnes = [&card] {
+        QStringList texts;
+        for (const QLabel *label : card.findChildren<QLabel *>()) {
+            if (label->font().bold() && label->text().contains(u" s"_s))
+                texts.append(label->text());
+        }
+        return texts;
+    };
+    Progress progress;
+    progress.total = 260;
+    QStringList seen;
+    for (const char *step : {"escs-off", "escs-full", "escs-zero"}) {
+        progress.step = QLatin1String(step);
+        card.take(progress);
+        QCOMPARE(boldOnes().size(), 1);
+        seen += boldOnes();
+        QVERIFY(!card.startButton()->isEnabled());
+    }
+    QVERIFY2(seen.removeDuplicates() == 0 && seen.at(1).contains(u"Full throttle"_s),
+             qPrintable(seen.join(u' ')));
+    card.setRunning(false);
+    QCOMPARE(card.phase(), -1);
+    QVERIFY(boldOnes().isEmpty() && card.startButton()->isEnabled());
+}
+
+// All of its 26 s: what turns when, the red button in the middle of it, and that the stop is what counts
+// then.
+void TestBenchPage::controllersAreCalibratedUntilTheRedButton()
+{
+    QVERIFY(calibrate());
+    EscCard *card = bench().escs();
+    QTRY_VERIFY(card->startButton()->isEnabled());
+    QStringList told;
+    connect(&m_rig->workspace().notifications(), &Notifications::notice, this,
+            [&told](const QString &text) { told.append(text); });
+    QTest::mouseClick(card->startButton(), Qt::LeftButton);
+    QVERIFY(confirm(u"The propellers are off"_s));
+    QTRY_COMPARE(card->phase(), 0);
+    QVERIFY(!bench().turnButton()->isEnabled() && !card->startButton()->isEnabled());
+    auto *red = m_rig->window().findChild<QPushButton *>(u"motors"_s);
+    QTRY_VERIFY2(red->text().contains(u"deaf"_s), qPrintable(red->text()));
+    QTRY_COMPARE_WITH_TIMEOUT(card->phase(), 1, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(bench().motors()->outputText(1), u"100 %"_s, kPatience);
+    QSignalSpy stopped(&m_rig->client(), &DeviceClient::motorsOffFinished);
+    QTest::mouseClick(red, Qt::LeftButton);
+    QTRY_VERIFY(told.join(u' ').contains(u"first thing that it hears"_s));
+    QCOMPARE(stopped.count(), 0);
+    QTRY_COMPARE_WITH_TIMEOUT(card->phase(), 2, kPatience);  // nothing can end it before
+    QTRY_VERIFY_WITH_TIMEOUT(stopped.count() > 0, kPatience);
+    QVERIFY(stopped.first().first().toBool());
+    QTRY_VERIFY_WITH_TIMEOUT(!bench().isUnderWay(), kPatience);
+    QCOMPARE(card->phase(), -1);
+    QCOMPARE(bench().deafText(), QString());
+    QTRY_COMPARE(bench().motors()->outputText(1), u"stands"_s);
+    QVERIFY2(told.join(u' ').contains(u"You stopped “Calibrate motor controllers”"_s),
+             qPrintable(told.join(u' ')));
+    QTRY_VERIFY(card->startButton()->isEnabled());
+}
+
+// Armed by another ground station: the dashboard says so, and the red button is red.
+void TestBenchPage::armedIsUnmistakable()
+{
+    DashboardPage &page = *m_rig->page<DashboardPage>();
+    auto *overview = page.findChild<FlightOverview *>();
+    QVERIFY(calibrate());
+    QTRY_COMPARE(overview->state()->state(), State::Disarmed);
+    const QString atRest = overview->state()->accessibleName() + overview->state()->accessibleDescription();
+    const QImage before = overview->state()->grab().toImage();
+    m_rig->client().submit<bool>([](Channel &channel, Device &) -> Result<bool> {
+        Request request;
+        const bcflight::Controls wanted{.thrust = 0.3, .arm = true};
+        request.bytes = bcflight::encode(bcflight::Message::Controls, wanted.encode(bcflight::Generation::G));
+        channel.post(request);
+        return true;
+    });
+    QTRY_COMPARE_WITH_TIMEOUT(overview->state()->state(), State::Armed, kPatience);
+    QVERIFY(overview->state()->accessibleName() + overview->state()->accessibleDescription() != atRest);
+    QVERIFY(overview->state()->grab().toImage() != before);
+    QTRY_VERIFY(overview->motors()->outputText(1).contains(u'%'));
+    auto *red = m_rig->window().findChild<QPushButton *>(u"motors"_s);
+    QTRY_VERIFY(red->property("running").toBool());
+    QTRY_VERIFY2(red->text().contains(u"STOP"_s), qPrintable(red->text()));
+    // What is dangerous now is not offered.
+    QTRY_VERIFY(bench().obstacle().contains(u"armed"_s));
+    QVERIFY(!bench().turnButton()->isEnabled() && !bench().escs()->startButton()->isEnabled());
+    m_rig->page<DashboardPage>();
+    QTest::mouseClick(red, Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(overview->state()->state(), State::Disarmed, kPatience);
+    QTRY_COMPARE(overview->motors()->outputText(1), u"stands"_s);
+}
+
+QTEST_MAIN(TestBenchPage)
+#include "tst_benchpage.moc"

@@ -1,0 +1,471 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/families/bcflight/camerapage.h"
+#include "app/families/bcflight/fullview.h"
+#include "app/families/bcflight/picturesettings.h"
+#include "app/mainwindow/bars.h"
+#include "app/mainwindow/linkbar.h"
+#include "app/mainwindow/translations.h"
+#include "protocol/simulator/video/scene.h"
+#include "protocol/video/videomodule.h"
+#include "tests/support/windowrig.h"
+#include "widgets/forms/panel.h"
+#include "widgets/views/elidedlabel.h"
+#include "widgets/views/videoview.h"
+
+#include <QDialog>
+#include <QDir>
+#include <QImage>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalSpy>
+#include <QUdpSocket>
+
+using namespace Qt::StringLiterals;
+
+/// The page with the picture of a simulated drone's camera.
+class TestCameraPage final : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init();
+    void cleanup() { m_rig.reset(); }
+    void theModuleIsLoadedOnceItIsNeeded();
+    void picturesComeByThemselves();
+    void lossOfThePictureIsTold();
+    void recordingsAreFiles();
+    void recordingsGoOnBehindOtherPages();
+    void lossOfJpegsIsNotCounted();
+    void stillsAreFiles();
+    void fullScreenLeavesTheRedButton();
+    void fullScreenFitsASmallScreen_data() { nothingIsClipped_data(); }
+    void fullScreenFitsASmallScreen();
+    void pictureIsSet();
+    void whatTheDroneTellsIsShown();
+    void itsOwnQuestionsWaitWithoutAWord();
+    void lensShadingIsSet();
+    void addressesAreTypedAndKept();
+    void foldersAreTyped();
+    void dronesWithoutACameraAreTold();
+    void aMissingModuleIsTold();
+    void nothingIsClipped_data();
+    void nothingIsClipped();
+
+private:
+    /// Connects and shows the page.
+    void open(const QString &options = {});
+    [[nodiscard]] bool hasPicture() const;
+    [[nodiscard]] QStringList filesIn(const QString &suffix) const;
+    [[nodiscard]] QStringList texts() const;
+
+    std::unique_ptr<WindowRig> m_rig;
+    CameraPage *m_page = nullptr;
+};
+
+void TestCameraPage::init()
+{
+    m_rig = std::make_unique<WindowRig>();
+    m_rig->settings().setVideoFolder(m_rig->filePath(u"pictures"_s));
+}
+
+void TestCameraPage::open(const QString &options)
+{
+    static int seed = 700;
+    QVERIFY(m_rig->open(u"sim:bcflight?stand=1&seed=%1"_s.arg(++seed) + options));
+    m_page = m_rig->page<CameraPage>();
+    QVERIFY(m_page);
+}
+
+bool TestCameraPage::hasPicture() const
+{
+    const auto picture = m_page->view()->picture();
+    return picture && readNumber(*picture) && m_page->staleText().isEmpty();
+}
+
+QStringList TestCameraPage::filesIn(const QString &suffix) const
+{
+    const QDir folder(m_rig->filePath(u"pictures"_s));
+    QStringList paths;
+    for (const QString &name : folder.entryList({u"drone-*."_s + suffix}, QDir::Files))
+        paths.append(folder.filePath(name));
+    return paths;
+}
+
+QStringList TestCameraPage::texts() const
+{
+    QStringList list;
+    for (const ToldMessage &message : m_rig->workspace().notifications().history())
+        list.append(message.text);
+    return list;
+}
+
+// It would cost every start time and memory.
+void TestCameraPage::theModuleIsLoadedOnceItIsNeeded()
+{
+    const auto isLoaded = [] {
+        QFile maps(u"/proc/self/maps"_s);
+        return maps.open(QIODevice::ReadOnly) && maps.readAll().contains("libavcodec");
+    };
+    QVERIFY(m_rig->open(u"sim:bcflight"_s));
+    QVERIFY(m_rig->window().showPage(u"monitor"_s));
+    QVERIFY(!isLoaded());
+    m_page = m_rig->page<CameraPage>();
+    QTRY_VERIFY(hasPicture());
+    QVERIFY(isLoaded());
+}
+
+void TestCameraPage::picturesComeByThemselves()
+{
+    open();
+    QTRY_VERIFY(hasPicture());
+    const auto first = *readNumber(*m_page->view()->picture());
+    QTRY_VERIFY(readNumber(*m_page->view()->picture()).value_or(0) > first + 10);
+    // As large as there is room for it, in its own shape.
+    QTRY_COMPARE(m_page->view()->picture()->width, m_page->view()->pixels().width());
+    QCOMPARE(m_page->view()->picture()->height, m_page->view()->pixels().width() * 720 / 1280);
+    QTRY_VERIFY2(m_page->figures().contains(u"1280 × 720 H.264"_s)
+                     && m_page->figures().contains(u"ms behind"_s)
+                     && m_page->figures().contains(u"0.0 % lost"_s),
+                 qPrintable(m_page->figures()));
+    const quint64 shown = m_page->video().statistics().shown;
+    QTRY_VERIFY(m_page->video().statistics().shown > shown + 5);
+    // Who does not look needs no pictures.
+    QVERIFY(m_rig->window().showPage(u"dashboard"_s));
+    QVERIFY(!m_page->video().isRunning());
+    QVERIFY(m_rig->page<CameraPage>());
+    QTRY_VERIFY(hasPicture());
+}
+
+void TestCameraPage::lossOfThePictureIsTold()
+{
+    open();
+    QTRY_VERIFY(hasPicture());
+    m_rig->workspace().changeWorld(u"unplug=0"_s);
+    QTRY_VERIFY2(m_page->staleText().startsWith(u"no picture for 1"_s), qPrintable(m_page->staleText()));
+    QVERIFY(m_page->view()->picture());
+    const QString before = m_page->staleText();
+    QTRY_VERIFY(m_page->staleText() != before);
+    QTRY_VERIFY(hasPicture());  // plugged in again
+    // Without a link there is nothing to look at.
+    m_rig->client().disconnectFromBoard();
+    QTRY_VERIFY(!m_page->view()->picture());
+    QTRY_COMPARE(m_page->view()->note(), u"Connect a drone to see its picture."_s);
+    QVERIFY(!m_page->recordButton()->isEnabled() && !m_page->stillButton()->isEnabled());
+}
+
+void TestCameraPage::recordingsAreFiles()
+{
+    open();
+    QTRY_VERIFY(hasPicture());
+    QTest::mouseClick(m_page->recordButton(), Qt::LeftButton);
+    QVERIFY(m_page->isUnderWay());
+    QCOMPARE(m_page->recordButton()->text(), u"Stop recording"_s);
+    QTRY_VERIFY(m_page->video().recordingState().length > 1s);
+    QTest::mouseClick(m_page->recordButton(), Qt::LeftButton);
+    QTRY_VERIFY(!m_page->isUnderWay());
+    QCOMPARE(m_page->recordButton()->text(), u"Record"_s);
+    QCOMPARE(filesIn(u"mkv"_s).size(), 1);
+    QVERIFY2(texts().last().contains(filesIn(u"mkv"_s).first()), qPrintable(texts().last()));
+    const auto reader = loadVideoCodecs().value()->openFile(filesIn(u"mkv"_s).first());
+    QVERIFY(reader);
+    QVERIFY((*reader)->next()->isKey);
+    // The folder cannot be made.
+    m_rig->settings().setVideoFolder(u"/proc/nowhere"_s);
+    QTest::mouseClick(m_page->recordButton(), Qt::LeftButton);
+    QVERIFY(!m_page->isUnderWay());
+    QVERIFY(texts().last().contains(u"/proc/nowhere"_s));
+}
+
+void TestCameraPage::recordingsGoOnBehindOtherPages()
+{
+    open();
+    QTRY_VERIFY(hasPicture());
+    QTest::mouseClick(m_page->recordButton(), Qt::LeftButton);
+    QTRY_VERIFY(m_page->video().recordingState().frames > 5);
+    QVERIFY(m_rig->window().showPage(u"dashboard"_s));
+    const quint64 frames = m_page->video().recordingState().frames;
+    QTRY_VERIFY(m_page->video().recordingState().frames > frames + 10);
+    // The window says so on every page.
+    const auto isMarked = [this] {
+        for (const QLabel *badge : m_rig->window().findChild<LinkBar *>()->findChildren<QLabel *>()) {
+            if (badge->isVisible() && badge->toolTip().contains(filesIn(u"mkv"_s).value(0)))
+                return badge->text().contains(u"REC"_s);
+        }
+        return false;
+    };
+    QCOMPARE(filesIn(u"mkv"_s).size(), 1);
+    QVERIFY(isMarked());
+    // The link ends, and the recording with it.
+    m_rig->client().disconnectFromBoard();
+    QTRY_VERIFY(!m_page->isUnderWay());
+    QTRY_VERIFY2(texts().join(u' ').contains(filesIn(u"mkv"_s).first()), qPrintable(texts().join(u' ')));
+    QVERIFY(!isMarked());
+    QVERIFY(!m_page->video().isRunning());
+    QCOMPARE(filesIn(u"mkv"_s).size(), 1);
+    QVERIFY(loadVideoCodecs().value()->openFile(filesIn(u"mkv"_s).first()));
+}
+
+// They have no numbers, and neither have the datagrams: 0 % would not be true.
+void TestCameraPage::lossOfJpegsIsNotCounted()
+{
+    open(u"&mjpeg=1"_s);
+    QTRY_VERIFY(hasPicture());
+    m_rig->workspace().changeWorld(u"lose=0.2"_s);
+    QTRY_VERIFY2(m_page->figures().contains(u"MJPEG"_s)
+                     && m_page->figures().contains(u"loss cannot be counted"_s),
+                 qPrintable(m_page->figures()));
+    QVERIFY2(!m_page->figures().contains(u'%'), qPrintable(m_page->figures()));
+}
+
+void TestCameraPage::stillsAreFiles()
+{
+    open();
+    QTRY_VERIFY(hasPicture());
+    for (int i = 1; i <= 2; ++i) {
+        QTest::mouseClick(m_page->stillButton(), Qt::LeftButton);
+        QTRY_COMPARE(filesIn(u"png"_s).size(), i);
+    }
+    const QImage image(filesIn(u"png"_s).first());
+    QCOMPARE(image.size(), QSize(1280, 720));
+    QVERIFY(texts().last().contains(u"drone-"_s));
+}
+
+void TestCameraPage::fullScreenLeavesTheRedButton()
+{
+    open();
+    QTRY_VERIFY(hasPicture());
+    VideoView *view = m_page->view();
+    const QWidget *place = view->parentWidget();
+    QPushButton *motors = m_rig->window().findChild<LinkBar *>()->motorsButton();
+    const auto isReached = [&](QWidget *widget) {
+        const QPoint middle = widget->mapTo(&m_rig->window(), widget->rect().center());
+        return m_rig->window().childAt(middle) == widget;
+    };
+    QTest::mouseDClick(view, Qt::LeftButton);
+    QVERIFY(m_page->fullView()->isOn());
+    QVERIFY(m_rig->window().isFullScreen());
+    QVERIFY(m_rig->isSettled());
+    QCOMPARE(view->width(), m_rig->window().width());
+    QVERIFY(isReached(motors));
+    QVERIFY(!isReached(m_page->recordButton()));
+    QVERIFY(view->hasFocus());
+    QTRY_COMPARE(view->picture()->width, view->pixels().width());
+    QTest::keyClick(view, Qt::Key_Escape);
+    QVERIFY(!m_page->fullView()->isOn() && !m_rig->window().isFullScreen());
+    QCOMPARE(view->parentWidget(), place);
+    QVERIFY(m_rig->isSettled());
+    QVERIFY(isReached(m_page->recordButton()));
+    // F11 both ways, the button, and another page ends it.
+    QTest::keyClick(view, Qt::Key_F11);
+    QVERIFY(m_page->fullView()->isOn());
+    QTest::keyClick(view, Qt::Key_F11);
+    QVERIFY(!m_page->fullView()->isOn());
+    QTest::mouseClick(m_page->fullButton(), Qt::LeftButton);
+    QVERIFY(m_page->fullView()->isOn());
+    QVERIFY(m_rig->window().showPage(u"monitor"_s));
+    QVERIFY(!m_page->fullView()->isOn() && !m_rig->window().isFullScreen());
+    QCOMPARE(view->parentWidget(), place);
+}
+
+// At 200 % a screen of 800 pixels has 400 of them: what does not fit goes, and nothing is cut.
+void TestCameraPage::fullScreenFitsASmallScreen()
+{
+    QFETCH(const QString, language);
+    const Translations translations(language);
+    m_rig->restart();
+    open();
+    QTRY_VERIFY(hasPicture());
+    m_page->fullView()->setOn(true);
+    auto *bar = m_rig->window().findChild<LinkBar *>();
+    auto *strip = m_rig->window().findChild<StatusStrip *>();
+    for (QWidget *narrow : std::initializer_list<QWidget *>{bar, strip})
+        narrow->setFixedWidth(400);
+    QVERIFY(m_rig->boardGoesOn(1));
+    QVERIFY(m_rig->isSettled());
+    QVERIFY(bar->motorsButton()->isVisible());
+    for (const QWidget *narrow : std::initializer_list<const QWidget *>{bar, strip}) {
+        QCOMPARE(narrow->width(), 400);
+        for (const QLabel *label : narrow->findChildren<QLabel *>()) {
+            if (label->isVisible() && !qobject_cast<const ElidedLabel *>(label))
+                QVERIFY2(label->width() >= label->sizeHint().width(), qPrintable(label->text()));
+        }
+        for (const QPushButton *button : narrow->findChildren<QPushButton *>()) {
+            if (button->isVisible())
+                QVERIFY2(button->width() >= button->minimumSizeHint().width(), qPrintable(button->text()));
+        }
+    }
+}
+
+// What is done on the drone is seen in the picture.
+void TestCameraPage::pictureIsSet()
+{
+    open();
+    QTRY_VERIFY(hasPicture());
+    const auto sky = [this] {
+        const auto picture = m_page->view()->picture();
+        return int(picture->pixels[std::size_t(picture->stride()) * std::size_t(picture->height / 3)
+                                   + std::size_t(picture->width * 3 / 4 + 3) * 4]);
+    };
+    const int before = sky();
+    for (int i = 0; i < 3; ++i)
+        QTest::mouseClick(m_page->settings()->button(u"brightness.down"_s), Qt::LeftButton);
+    QTRY_VERIFY2(sky() < before - 20, qPrintable(QString::number(before)));
+    // Nothing of it is a change of what is stored: no snapshots are taken for it.
+    QVERIFY(m_rig->jobsAreDone());
+    QVERIFY(m_rig->workspace().history().snapshots(m_rig->client().identity().serial).isEmpty());
+}
+
+void TestCameraPage::whatTheDroneTellsIsShown()
+{
+    open();
+    PictureSettings *settings = m_page->settings();
+    QTRY_COMPARE(settings->told(u"iso"_s), u"auto"_s);
+    QCOMPARE(settings->told(u"shutter"_s), u"200"_s);
+    QVERIFY(settings->told(u"brightness"_s).isEmpty());
+    QTest::mouseClick(settings->button(u"camera.white_balance"_s), Qt::LeftButton);
+    QTRY_COMPARE(settings->told(u"white_balance"_s), u"incandescent"_s);
+    QTest::mouseClick(settings->button(u"camera.lock"_s), Qt::LeftButton);
+    QTRY_COMPARE(settings->told(u"white_balance"_s), u"R1.50B2.25"_s);
+    QTest::mouseClick(settings->button(u"camera.exposure"_s), Qt::LeftButton);
+    QTRY_COMPARE(settings->told(u"exposure"_s), u"not told"_s);
+    for (const QString &key : {u"night.on"_s, u"night.off"_s, u"record.on"_s, u"record.off"_s,
+                               u"camera.picture"_s, u"iso.up"_s, u"contrast.up"_s, u"saturation.down"_s})
+        QTest::mouseClick(settings->button(key), Qt::LeftButton);
+    QVERIFY(m_rig->jobsAreDone());
+    m_rig->client().disconnectFromBoard();
+    QTRY_VERIFY(!settings->button(u"night.on"_s)->isEnabled());
+}
+
+// Shown while something runs, e.g. the storing of gains with its restart: nobody has ordered anything.
+void TestCameraPage::itsOwnQuestionsWaitWithoutAWord()
+{
+    open();
+    PictureSettings *settings = m_page->settings();
+    QTRY_COMPARE(settings->told(u"iso"_s), u"auto"_s);
+    m_rig->client().submit<void>([](Channel &channel, Device &device) -> Result<void> {
+        constexpr int kIsoUp = 6;
+        return device.perform(channel, u"camera.step"_s, {{u"step"_s, kIsoUp}}).map([](const ActionReply &) {
+        });
+    });
+    QVERIFY(m_rig->jobsAreDone());
+    const qsizetype said = texts().size();
+    m_rig->workspace().live().hold();
+    settings->ask();
+    QVERIFY(m_rig->jobsAreDone());
+    QCOMPARE(texts().mid(said), QStringList());
+    QCOMPARE(settings->told(u"iso"_s), u"auto"_s);
+    m_rig->workspace().live().release();
+    QTRY_COMPARE(settings->told(u"iso"_s), u"100"_s);
+    QCOMPARE(texts().mid(said), QStringList());
+}
+
+void TestCameraPage::lensShadingIsSet()
+{
+    open();
+    QTest::mouseClick(m_page->settings()->button(u"camera.lens.set"_s), Qt::LeftButton);
+    QTRY_VERIFY(m_rig->window().panels()->isOpen());
+    QDialog *dialog = m_rig->window().panels()->newest();
+    QPushButton *set = nullptr;
+    for (QPushButton *button : dialog->findChildren<QPushButton *>()) {
+        if (button->text() == u"Set"_s)
+            set = button;
+    }
+    QVERIFY(set);
+    QTest::mouseClick(set, Qt::LeftButton);
+    QTRY_VERIFY(!m_rig->window().panels()->isOpen());
+    QVERIFY(m_rig->jobsAreDone());
+}
+
+void TestCameraPage::addressesAreTypedAndKept()
+{
+    open();
+    QTRY_VERIFY(hasPicture());
+    QVERIFY(m_page->addressField()->placeholderText().startsWith(u"127.0.0.1:"_s));
+    const auto type = [this](const QString &text) {
+        m_page->addressField()->setFocus();
+        m_page->addressField()->setText(text);
+        QTest::keyClick(m_page->addressField(), Qt::Key_Return);
+    };
+    type(u"udp://drone"_s);
+    QVERIFY(m_page->addressField()->property("refused").toBool());
+    QCOMPARE(m_rig->settings().videoAddress(), QString());
+    QCOMPARE(m_page->addressField()->text(), u"udp://drone"_s);
+    QVERIFY(hasPicture());  // the one before counts
+    QUdpSocket drone;
+    QVERIFY(drone.bind(QHostAddress::LocalHost, 0));
+    type(u"127.0.0.1:%1"_s.arg(drone.localPort()));
+    QVERIFY(!m_page->addressField()->property("refused").toBool());
+    QTRY_VERIFY(drone.hasPendingDatagrams());
+    QVERIFY(!m_page->view()->picture());  // another camera's
+    QTRY_VERIFY2(m_page->view()->note().startsWith(u"No video comes from 127.0.0.1"_s),
+                 qPrintable(m_page->view()->note()));
+    QCOMPARE(m_rig->settings().videoAddress(), u"127.0.0.1:%1"_s.arg(drone.localPort()));
+    type({});
+    QTRY_VERIFY(hasPicture());
+}
+
+void TestCameraPage::foldersAreTyped()
+{
+    open();
+    m_page->folderField()->setFocus();
+    m_page->folderField()->setText(u"~/drone"_s);
+    QTest::keyClick(m_page->folderField(), Qt::Key_Return);
+    QCOMPARE(m_rig->settings().videoFolder(), QDir::homePath() + u"/drone"_s);
+}
+
+void TestCameraPage::dronesWithoutACameraAreTold()
+{
+    open(u"&camera=0"_s);
+    QTRY_VERIFY2(m_page->view()->note().startsWith(u"No video comes from"_s),
+                 qPrintable(m_page->view()->note()));
+    QTest::mouseClick(m_page->settings()->button(u"camera.white_balance"_s), Qt::LeftButton);
+    QTRY_VERIFY(!texts().isEmpty());
+    QVERIFY(m_page->settings()->told(u"white_balance"_s).isEmpty());
+}
+
+void TestCameraPage::aMissingModuleIsTold()
+{
+    qputenv(kVideoModuleFolder, m_rig->filePath(u"nothing"_s).toLocal8Bit());
+    open();
+    const QString note = m_page->view()->note();
+    qunsetenv(kVideoModuleFolder);
+    QVERIFY2(note.contains(u"libgimbaldesk-video"_s), qPrintable(note));
+    QVERIFY(!m_page->recordButton()->isEnabled());
+    // It is there again.
+    QVERIFY(m_rig->window().showPage(u"monitor"_s));
+    QVERIFY(m_rig->page<CameraPage>());
+    QTRY_VERIFY(hasPicture());
+}
+
+void TestCameraPage::nothingIsClipped_data()
+{
+    QTest::addColumn<QString>("language");
+    QTest::newRow("English") << u"en"_s;
+    QTest::newRow("German") << u"de"_s;
+}
+
+// In the smallest window.
+void TestCameraPage::nothingIsClipped()
+{
+    QFETCH(const QString, language);
+    const Translations translations(language);
+    m_rig->restart();
+    m_rig->window().resize(1024, 640);
+    open();
+    QTRY_VERIFY(hasPicture());
+    QVERIFY(m_rig->isSettled());
+    for (const QPushButton *button : m_page->findChildren<QPushButton *>())
+        QVERIFY2(button->width() >= button->sizeHint().width(), qPrintable(button->text()));
+    for (const QLabel *label : m_page->findChildren<QLabel *>()) {
+        if (label->isVisible() && !label->wordWrap() && !qobject_cast<const ElidedLabel *>(label))
+            QVERIFY2(label->width() >= label->sizeHint().width(), qPrintable(label->text()));
+    }
+    const auto *scroll = m_page->findChild<QScrollArea *>();
+    QVERIFY(scroll->widget()->width() <= scroll->viewport()->width());
+    QVERIFY(m_page->view()->width() >= 400);
+}
+
+QTEST_MAIN(TestCameraPage)
+#include "tst_camerapage.moc"
