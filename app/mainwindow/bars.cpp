@@ -4,6 +4,7 @@
 
 #include "app/mainwindow/motorskeys.h"
 #include "app/workspace/question.h"
+#include "protocol/client/whendone.h"
 #include "protocol/session/linkstatistics.h"
 #include "protocol/telemetry/telemetryplan.h"
 #include "protocol/telemetry/telemetrystore.h"
@@ -261,7 +262,7 @@ UnstoredBar::UnstoredBar(Workspace &workspace, QWidget *parent)
         if (NumberBox::refusedIn(*window()))  // it is not in use, and would not be stored
             return;
         setEnabled(false);
-        m_workspace.saveLive(*this).then(this, [this](bool) { setEnabled(true); });
+        whenDone(m_workspace.saveLive(*this), this, [this](bool) { setEnabled(true); });
     });
     connect(m_back, &QPushButton::clicked, this, &UnstoredBar::goBack);
     connect(&workspace, &Workspace::unstoredChanged, this, &UnstoredBar::refresh);

@@ -3,6 +3,7 @@
 #include "app/mainwindow/leaving.h"
 
 #include "app/workspace/question.h"
+#include "protocol/client/whendone.h"
 #include "protocol/device/flight.h"
 #include "protocol/telemetry/telemetrystore.h"
 
@@ -193,9 +194,8 @@ void Leaving::ended(Wait what)
 // After a write the board is read again: what it holds is known after that.
 void Leaving::onceRead()
 {
-    m_workspace.client()
-        .submit<void>([](Channel &, Device &) -> Result<void> { return {}; })
-        .then(this, [this](const Result<void> &) { later(); });
+    whenDone(m_workspace.client().submit<void>([](Channel &, Device &) -> Result<void> { return {}; }), this,
+             [this](const Result<void> &) { later(); });
 }
 
 // Whoever else waits for the same is told first, and a panel is gone before the next one opens.
@@ -254,7 +254,7 @@ void Leaving::askAboutValues()
         later();
     };
     const auto store = [this] {
-        m_workspace.saveLive(m_window).then(this, [this](bool stored) {
+        whenDone(m_workspace.saveLive(m_window), this, [this](bool stored) {
             m_valuesAreSettled = stored;
             if (stored)
                 onceRead();

@@ -14,7 +14,7 @@ Confirmations::Confirmations(Notifications &notifications)
 }
 
 // The text of the button that proceeds states what is being confirmed.
-QFuture<Confirmations::Outcome> Confirmations::ask(const ActionSpec &action,
+QFuture<Confirmations::Outcome> Confirmations::ask(const ActionSpec &action, const QVariantMap &arguments,
                                                    std::function<QFuture<Outcome>()> perform)
 {
     auto question = std::make_shared<Promise>();
@@ -25,9 +25,14 @@ QFuture<Confirmations::Outcome> Confirmations::ask(const ActionSpec &action,
             return;  // cancelled meanwhile
         perform().then(this, [this, question](const Outcome &outcome) { answer(question, outcome); });
     };
+    QString label = tableText(action.label);
+    for (const ArgumentSpec &argument : action.arguments) {
+        if (const QVariant value = arguments.value(QLatin1String(argument.key)); value.isValid())
+            label += u", %1 %2"_s.arg(tableText(argument.label), value.toString());
+    }
     Offer asked;
-    asked.text = tr("“%1” has to be confirmed each time.").arg(tableText(action.label));
-    asked.choices.append({u"%1: %2"_s.arg(tableText(action.confirm), tableText(action.label)), goOn});
+    asked.text = tr("“%1” has to be confirmed each time.").arg(label);
+    asked.choices.append({u"%1: %2"_s.arg(tableText(action.confirm), label), goOn});
     asked.choices.append(
         {tr("Cancel"), [this, question] { answer(question, failure(ErrorCode::Cancelled)); }});
     m_notifications.ask(asked);

@@ -8,6 +8,7 @@
 #include <QFuture>
 #include <QObject>
 #include <QPromise>
+#include <QVariantMap>
 
 /// Asks the operator before an action with ActionSpec::confirm, each time; nothing is remembered.
 class Confirmations final : public QObject
@@ -17,8 +18,10 @@ public:
     using Outcome = Result<ActionOutcome>;
 
     explicit Confirmations(Notifications &notifications);
-    /// Performs it once the operator has confirmed; Cancelled without that.
-    QFuture<Outcome> ask(const ActionSpec &action, std::function<QFuture<Outcome>()> perform);
+    /// Performs it once the operator has confirmed; Cancelled without that. What is asked names the arguments
+    /// that are given, e.g. which motor.
+    QFuture<Outcome> ask(const ActionSpec &action, const QVariantMap &arguments,
+                         std::function<QFuture<Outcome>()> perform);
     /// Ends open questions with Cancelled: they belonged to another link.
     void forget();
 

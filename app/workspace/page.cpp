@@ -32,6 +32,13 @@ Page::Page(Workspace &workspace, const QString &key, const QString &title, QWidg
     layout->addLayout(m_body, 1);
 }
 
+// What ends with it tells nothing to a page whose own members are gone.
+Page::~Page()
+{
+    for (const QObject *part : findChildren<QObject *>())
+        part->disconnect(this);
+}
+
 void Page::coverWhenStale(QWidget &view, const Freshness::Channels &channels, StaleCover::Look look)
 {
     workspace().freshness().watch(*new StaleCover(workspace().theme(), view, look), channels);

@@ -24,6 +24,7 @@ class Page : public QWidget
     Q_OBJECT
 public:
     Page(Workspace &workspace, const QString &key, const QString &title, QWidget *parent = nullptr);
+    ~Page() override;
 
     /// Name for `--page` and for picture files.
     [[nodiscard]] const QString &key() const { return m_key; }

@@ -33,19 +33,9 @@ QFuture<Result<ActionOutcome>> Workspace::perform(const QString &key, const QVar
         tellGuided();
         return QtFuture::makeReadyFuture(Result<ActionOutcome>(failure(ErrorCode::Cancelled)));
     }
-    if (it != actions.end() && *it->confirm) {
-        // What is asked names what it is asked for, e.g. which motor.
-        QString label = tableText(it->label);
-        for (const ArgumentSpec &argument : it->arguments) {
-            if (const QVariant value = arguments.value(QLatin1String(argument.key)); value.isValid())
-                label += u", %1 %2"_s.arg(tableText(argument.label), value.toString());
-        }
-        const QByteArray named = label.toUtf8();
-        ActionSpec asked = *it;
-        asked.label = named.constData();
+    if (it != actions.end() && *it->confirm)
         return m_confirmations.ask(
-            asked, [this, key, arguments, quiet] { return performNow(key, arguments, quiet); });
-    }
+            *it, arguments, [this, key, arguments, quiet] { return performNow(key, arguments, quiet); });
     return performNow(key, arguments, quiet);
 }
 

@@ -3,6 +3,7 @@
 #include "app/workspace/question.h"
 
 #include "app/workspace/workspace.h"
+#include "protocol/client/whendone.h"
 #include "widgets/forms/panel.h"
 #include "widgets/models/errortext.h"
 #include "widgets/models/parametermodel.h"
@@ -128,7 +129,7 @@ void askToReload(Workspace &workspace, const QString &title, const QString &what
         question.answers = {{what, goOn}};
     } else {
         const auto store = [&workspace, parent, goOn] {
-            workspace.saveLive(*parent).then(parent, [goOn](bool stored) {
+            whenDone(workspace.saveLive(*parent), parent, [goOn](bool stored) {
                 if (stored)
                     goOn();
             });

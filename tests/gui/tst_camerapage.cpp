@@ -18,6 +18,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalSpy>
@@ -40,6 +41,7 @@ private slots:
     void lossOfJpegsIsNotCounted();
     void stillsAreFiles();
     void fullScreenLeavesTheRedButton();
+    void fullScreenEndsWithItsPage();
     void fullScreenFitsASmallScreen_data() { nothingIsClipped_data(); }
     void fullScreenFitsASmallScreen();
     void pictureIsSet();
@@ -270,6 +272,34 @@ void TestCameraPage::fullScreenLeavesTheRedButton()
 }
 
 // At 200 % a screen of 800 pixels has 400 of them: what does not fit goes, and nothing is cut.
+// Who hides a page goes through what lies beside it: nothing of that may vanish meanwhile.
+void TestCameraPage::fullScreenEndsWithItsPage()
+{
+    open();
+    QTRY_VERIFY(hasPicture());
+    m_page->fullView()->setOn(true);
+    const QPointer<QWidget> cover = m_page->view()->parentWidget();
+    m_page->hide();
+    QVERIFY(!m_page->fullView()->isOn());
+    QVERIFY(cover);
+    QVERIFY(!cover->isVisible());
+    QVERIFY(m_page->isAncestorOf(m_page->view()));
+    QTRY_VERIFY(!cover);
+    // Pages are made anew, and the program ends.
+    for (int round = 0; round < 2; ++round) {
+        m_page->show();
+        m_page->fullView()->setOn(true);
+        QVERIFY(m_page->fullView()->isOn());
+        if (round == 1)
+            break;
+        m_rig->window().renew();
+        m_page = m_rig->page<CameraPage>();
+        QVERIFY(m_page);
+        QVERIFY(!m_rig->window().isFullScreen());
+    }
+    m_rig->restart();
+}
+
 void TestCameraPage::fullScreenFitsASmallScreen()
 {
     QFETCH(const QString, language);

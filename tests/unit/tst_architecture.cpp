@@ -374,6 +374,7 @@ private slots:
     void everyFileNamesItsLicence();
     void localNamesAreUnique();
     void nothingBlocksOutsideTheWorker();
+    void resultsReachOnlyWhoIsThere();
     void dialogsBlockNoWindow();
     void numbersAreTypedIntoOneKindOfField();
     void numbersInTablesHaveAFieldOfTheirOwn();
@@ -452,6 +453,16 @@ void TestArchitecture::nothingBlocksOutsideTheWorker()
         "QThread::m?u?sleep"_s);
     for (const Source &source : sources({u"protocol"_s, u"widgets"_s, u"app"_s}))
         QVERIFY2(!blocking.match(source.text).hasMatch(), qPrintable(source.path));
+}
+
+// Pages and their models may end before what they asked for (protocol/client/whendone.h).
+void TestArchitecture::resultsReachOnlyWhoIsThere()
+{
+    static const QRegularExpression unguarded(u"\\.then\\(\\s*(this|parent)\\b"_s);
+    for (const Source &source :
+         sources({u"widgets"_s, u"app/pages"_s, u"app/families"_s, u"app/mainwindow"_s}))
+        QVERIFY2(!unguarded.match(source.text).hasMatch(), qPrintable(source.path));
+    QVERIFY(unguarded.match(u"client().submit(read)\n    .then(\n        this, [this] {})"_s).hasMatch());
 }
 
 // A dialog is a panel, beneath which the motors can still be switched off (widgets/forms/panel.h). Files are

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/adjustablemodel.h"
 
+#include "protocol/client/whendone.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 
@@ -45,32 +46,32 @@ void AdjustableModel::refresh()
     QList<int> ids;
     for (const AdjustableSpec &spec : m_specs)
         ids.append(spec.id);
-    m_client
-        .submit<std::vector<AdjustableValue>>(
-            [ids](Channel &channel, Device &device) { return device.live()->readAdjustables(channel, ids); })
-        .then(this, [this, asked = m_specs.data()](const Result<std::vector<AdjustableValue>> &read) {
-            m_asking = false;
-            if (asked != m_specs.data())
-                return;
-            if (!read) {
-                emit failed(read.error());
-                return;
-            }
-            int first = -1;
-            int last = -1;
-            for (const AdjustableValue &variable : *read) {
-                for (std::size_t row = 0; row < m_specs.size(); ++row) {
-                    const double value = isFloat(int(row)) ? variable.value : std::trunc(variable.value);
-                    if (m_specs[row].id != variable.id || sameValue(m_values[row], value))
-                        continue;
-                    m_values[row] = value;
-                    first = first < 0 ? int(row) : std::min(first, int(row));
-                    last = std::max(last, int(row));
-                }
-            }
-            if (first >= 0)
-                emit dataChanged(index(first, ValueColumn), index(last, MeaningColumn));
-        });
+    whenDone(m_client.submit<std::vector<AdjustableValue>>([ids](Channel &channel, Device &device) {
+        return device.live()->readAdjustables(channel, ids);
+    }),
+             this, [this, asked = m_specs.data()](const Result<std::vector<AdjustableValue>> &read) {
+                 m_asking = false;
+                 if (asked != m_specs.data())
+                     return;
+                 if (!read) {
+                     emit failed(read.error());
+                     return;
+                 }
+                 int first = -1;
+                 int last = -1;
+                 for (const AdjustableValue &variable : *read) {
+                     for (std::size_t row = 0; row < m_specs.size(); ++row) {
+                         const double value = isFloat(int(row)) ? variable.value : std::trunc(variable.value);
+                         if (m_specs[row].id != variable.id || sameValue(m_values[row], value))
+                             continue;
+                         m_values[row] = value;
+                         first = first < 0 ? int(row) : std::min(first, int(row));
+                         last = std::max(last, int(row));
+                     }
+                 }
+                 if (first >= 0)
+                     emit dataChanged(index(first, ValueColumn), index(last, MeaningColumn));
+             });
 }
 
 bool AdjustableModel::isFloat(int row) const
@@ -168,18 +169,17 @@ bool AdjustableModel::setData(const QModelIndex &index, const QVariant &value, i
                      0});
         return false;
     }
-    m_client
-        .submit<bool>([id = spec.id, wanted](Channel &channel, Device &device) -> Result<bool> {
-            const auto done = device.live()->writeAdjustables(channel, {{id, wanted}});
-            return done ? Result<bool>(true) : tl::unexpected(done.error());
-        })
-        .then(this, [this, id = spec.id, wanted](const Result<bool> &done) {
-            if (!done)
-                emit failed(done.error());
-            else
-                emit written(id, wanted);
-            refresh();  // the value that the board accepted
-        });
+    whenDone(m_client.submit<bool>([id = spec.id, wanted](Channel &channel, Device &device) -> Result<bool> {
+        const auto done = device.live()->writeAdjustables(channel, {{id, wanted}});
+        return done ? Result<bool>(true) : tl::unexpected(done.error());
+    }),
+             this, [this, id = spec.id, wanted](const Result<bool> &done) {
+                 if (!done)
+                     emit failed(done.error());
+                 else
+                     emit written(id, wanted);
+                 refresh();  // the value that the board accepted
+             });
     return true;
 }
 

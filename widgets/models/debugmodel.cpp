@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/debugmodel.h"
 
+#include "protocol/client/whendone.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 
@@ -46,8 +47,8 @@ void DebugModel::refresh()
     if (m_asking || !m_client.isConnected() || !m_client.device()->innerVariables())
         return;
     m_asking = true;
-    m_client
-        .submit<DebugRead>([list = !m_listed](Channel &channel, Device &device) -> Result<DebugRead> {
+    whenDone(
+        m_client.submit<DebugRead>([list = !m_listed](Channel &channel, Device &device) -> Result<DebugRead> {
             DebugRead read;
             if (list) {
                 const auto variables = device.innerVariables()->debugVariables(channel);
@@ -61,8 +62,8 @@ void DebugModel::refresh()
             read.values = *values;
             read.at = Clock::now();
             return read;
-        })
-        .then(this, [this, generation = m_generation](const Result<DebugRead> &read) {
+        }),
+        this, [this, generation = m_generation](const Result<DebugRead> &read) {
             if (generation != m_generation)
                 return;
             m_asking = false;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/livemodel.h"
 
+#include "protocol/client/whendone.h"
 #include "protocol/device/abilities.h"
 
 #include <algorithm>
@@ -118,36 +119,36 @@ void LiveModel::read()
     QList<int> ids;
     for (const int parameter : std::as_const(m_known))
         ids.append(variableOf(parameter));
-    m_client
-        .submit<std::vector<AdjustableValue>>(
-            [ids](Channel &channel, Device &device) { return device.live()->readAdjustables(channel, ids); })
-        .then(this, [this, generation = m_generation](const Result<std::vector<AdjustableValue>> &read) {
-            if (generation != m_generation)
-                return;
-            if (!read) {
-                emit failed(read.error());
-                return;
-            }
-            const Values doubted = std::exchange(m_doubted, {});
-            QHash<int, double> byId;
-            for (const AdjustableValue &variable : *read)
-                byId.insert(variable.id, variable.value);
-            for (const int parameter : std::as_const(m_known)) {
-                const auto it = byId.find(variableOf(parameter));
-                // What was asked before a value went out says nothing about it.
-                if (it == byId.end() || m_wanted.contains(parameter)
-                    || (m_writing && m_sent.contains(parameter)))
-                    continue;
-                const double raw = spec(parameter).rawOf(*it);
-                if (sameValue(value(parameter), raw))
-                    continue;
-                m_values.insert(parameter, raw);
-                m_own.remove(parameter);
-                emit valueChanged(parameter);
-            }
-            recount();
-            tellDoubted(doubted);
-        });
+    whenDone(m_client.submit<std::vector<AdjustableValue>>([ids](Channel &channel, Device &device) {
+        return device.live()->readAdjustables(channel, ids);
+    }),
+             this, [this, generation = m_generation](const Result<std::vector<AdjustableValue>> &read) {
+                 if (generation != m_generation)
+                     return;
+                 if (!read) {
+                     emit failed(read.error());
+                     return;
+                 }
+                 const Values doubted = std::exchange(m_doubted, {});
+                 QHash<int, double> byId;
+                 for (const AdjustableValue &variable : *read)
+                     byId.insert(variable.id, variable.value);
+                 for (const int parameter : std::as_const(m_known)) {
+                     const auto it = byId.find(variableOf(parameter));
+                     // What was asked before a value went out says nothing about it.
+                     if (it == byId.end() || m_wanted.contains(parameter)
+                         || (m_writing && m_sent.contains(parameter)))
+                         continue;
+                     const double raw = spec(parameter).rawOf(*it);
+                     if (sameValue(value(parameter), raw))
+                         continue;
+                     m_values.insert(parameter, raw);
+                     m_own.remove(parameter);
+                     emit valueChanged(parameter);
+                 }
+                 recount();
+                 tellDoubted(doubted);
+             });
 }
 
 // What a silent board was told to use, once it has said what it does use.
@@ -277,37 +278,36 @@ void LiveModel::flush()
     }
     m_wanted.clear();
     m_back.clear();
-    m_client
-        .submit<bool>([values, back](Channel &channel, Device &device) -> Result<bool> {
-            Result<void> done;
-            if (!back.empty())
-                done = device.live()->restoreAdjustables(channel, back);
-            if (done && !values.empty())
-                done = device.live()->writeAdjustables(channel, values);
-            return done ? Result<bool>(true) : tl::unexpected(done.error());
-        })
-        .then(this, [this, generation = m_generation](const Result<bool> &done) {
-            if (generation != m_generation)
-                return;
-            m_writing = false;
-            if (!done) {
-                // The values in use are no longer known, so they are read.
-                m_wanted.clear();
-                m_back.clear();
-                for (const int parameter : std::exchange(m_sent, {})) {
-                    if (const auto wanted = value(parameter))
-                        m_doubted.insert(parameter, *wanted);
-                }
-                m_wasSilent |= done.error().code == ErrorCode::Timeout;
-                emit changeCountChanged(m_changeCount);
-                emit failed(done.error());
-                read();
-                return;
-            }
-            flush();
-            if (isSettled())
-                emit settled(std::exchange(m_sent, {}));
-        });
+    whenDone(m_client.submit<bool>([values, back](Channel &channel, Device &device) -> Result<bool> {
+        Result<void> done;
+        if (!back.empty())
+            done = device.live()->restoreAdjustables(channel, back);
+        if (done && !values.empty())
+            done = device.live()->writeAdjustables(channel, values);
+        return done ? Result<bool>(true) : tl::unexpected(done.error());
+    }),
+             this, [this, generation = m_generation](const Result<bool> &done) {
+                 if (generation != m_generation)
+                     return;
+                 m_writing = false;
+                 if (!done) {
+                     // The values in use are no longer known, so they are read.
+                     m_wanted.clear();
+                     m_back.clear();
+                     for (const int parameter : std::exchange(m_sent, {})) {
+                         if (const auto wanted = value(parameter))
+                             m_doubted.insert(parameter, *wanted);
+                     }
+                     m_wasSilent |= done.error().code == ErrorCode::Timeout;
+                     emit changeCountChanged(m_changeCount);
+                     emit failed(done.error());
+                     read();
+                     return;
+                 }
+                 flush();
+                 if (isSettled())
+                     emit settled(std::exchange(m_sent, {}));
+             });
 }
 
 void LiveModel::hold()

@@ -6,6 +6,7 @@
 #include "protocol/base/battery.h"
 #include "protocol/base/checksum.h"
 #include "protocol/base/filefault.h"
+#include "protocol/client/whendone.h"
 #include "widgets/forms/keyboard.h"
 #include "widgets/models/errortext.h"
 #include "widgets/models/numbertext.h"
@@ -212,8 +213,8 @@ void FirmwareCard::upload()
     m_hasBegun = false;
     say({}, "");
     setRunning(true);
-    m_workspace.perform(u"firmware.upload"_s, {{u"file"_s, m_path}}, true)
-        .then(this, [this](const Result<ActionOutcome> &outcome) { onDone(outcome); });
+    whenDone(m_workspace.perform(u"firmware.upload"_s, {{u"file"_s, m_path}}, true), this,
+             [this](const Result<ActionOutcome> &outcome) { onDone(outcome); });
 }
 
 void FirmwareCard::take(const Progress &progress)

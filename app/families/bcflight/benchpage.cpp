@@ -4,6 +4,7 @@
 
 #include "app/families/bcflight/benchcards.h"
 #include "app/workspace/flightstate.h"
+#include "protocol/client/whendone.h"
 #include "widgets/forms/numberbox.h"
 #include "widgets/models/numbertext.h"
 
@@ -289,29 +290,28 @@ void BenchPage::turn()
         return;
     m_turned = m_motors->selected();
     begin(true);
-    workspace()
-        .perform(u"motor.test"_s, {{u"motor"_s, m_turned}})
-        .then(this, [this](const Result<ActionOutcome> &) { begin(false); });
+    whenDone(workspace().perform(u"motor.test"_s, {{u"motor"_s, m_turned}}), this,
+             [this](const Result<ActionOutcome> &) { begin(false); });
 }
 
 void BenchPage::beep(bool on)
 {
-    workspace()
-        .perform(u"motors.beep"_s, {{u"on"_s, on}})
-        .then(this, [this, on](const Result<ActionOutcome> &outcome) {
-            m_beepSaid->setText(!outcome ? QString() : on ? tr("Sent: beep") : tr("Sent: stop"));
-        });
+    whenDone(workspace().perform(u"motors.beep"_s, {{u"on"_s, on}}), this,
+             [this, on](const Result<ActionOutcome> &outcome) {
+                 m_beepSaid->setText(!outcome ? QString() : on ? tr("Sent: beep") : tr("Sent: stop"));
+             });
 }
 
 void BenchPage::calibrateEscs()
 {
     begin(true);
-    workspace().perform(u"escs.calibrate"_s, {}).then(this, [this](const Result<ActionOutcome> &outcome) {
-        begin(false);
-        if (outcome)
-            workspace().notifications().notify(
-                tr("The calibration of the motor controllers is over. Whether they took it only their tones "
-                   "tell."),
-                Notice::Attention);
-    });
+    whenDone(workspace().perform(u"escs.calibrate"_s, {}), this,
+             [this](const Result<ActionOutcome> &outcome) {
+                 begin(false);
+                 if (outcome)
+                     workspace().notifications().notify(tr("The calibration of the motor controllers is "
+                                                           "over. Whether they took it only their tones "
+                                                           "tell."),
+                                                        Notice::Attention);
+             });
 }

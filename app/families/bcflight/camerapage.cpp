@@ -41,7 +41,7 @@ CameraPage::CameraPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"camera"_s, tr("Camera"), parent)
     , m_view(new VideoView)
     , m_cover(new StaleCover(workspace.theme(), *m_view))
-    , m_fullView(new FullView(*m_view))
+    , m_fullView(std::make_unique<FullView>(*m_view))
     , m_settings(new PictureSettings(workspace))
     , m_record(new QPushButton(tr("Record")))
     , m_still(new QPushButton(tr("Take a picture")))
@@ -51,7 +51,6 @@ CameraPage::CameraPage(Workspace &workspace, QWidget *parent)
     , m_figures(new ElidedLabel)
     , m_recording(new ElidedLabel)
 {
-    m_fullView->setParent(this);
     auto *row = new QHBoxLayout;
     row->setSpacing(12);
     body()->addLayout(row, 1);
@@ -63,9 +62,10 @@ CameraPage::CameraPage(Workspace &workspace, QWidget *parent)
         kRefreshPeriod, [this] { refresh(); }, [] { return false; });
 }
 
-// The picture's last frames may still be on their way.
+// The picture's last frames may still be on their way, and its size changes once more.
 CameraPage::~CameraPage()
 {
+    m_fullView.reset();
     m_video.stop();
 }
 

@@ -33,7 +33,7 @@ public:
     /// What is wrong with the picture that is shown; empty while it is live.
     [[nodiscard]] QString staleText() const { return m_cover->text(); }
     [[nodiscard]] QString figures() const;
-    [[nodiscard]] FullView *fullView() const { return m_fullView; }
+    [[nodiscard]] FullView *fullView() const { return m_fullView.get(); }
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -67,7 +67,7 @@ private:
     TimePoint m_startedAt{};
     VideoView *m_view;
     StaleCover *m_cover;
-    FullView *m_fullView;
+    std::unique_ptr<FullView> m_fullView;
     PictureSettings *m_settings;
     QPushButton *m_record;
     QPushButton *m_still;

@@ -7,6 +7,8 @@
 #include <QBoxLayout>
 #include <QEvent>
 
+#include <utility>
+
 FullView::FullView(QWidget &view)
     : m_view(view)
 {
@@ -60,7 +62,9 @@ void FullView::leave()
     m_area->removeEventFilter(this);
     if (auto *layout = m_place ? qobject_cast<QBoxLayout *>(m_place->layout()) : nullptr)
         layout->insertWidget(m_index, &m_view, 1);
-    delete m_cover;
+    // Not at once: who hides the page goes through its siblings, and the cover is one of them.
+    m_cover->hide();
+    std::exchange(m_cover, nullptr)->deleteLater();
     window->setWindowState(m_before);
     m_view.setFocus(Qt::OtherFocusReason);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/families/bcflight/picturesettings.h"
 
+#include "protocol/client/whendone.h"
 #include "widgets/forms/argumentform.h"
 #include "widgets/forms/panel.h"
 #include "widgets/models/parametermodel.h"
@@ -190,16 +191,14 @@ void PictureSettings::askIfDue()
     if (m_workspace.isFlown() || m_workspace.live().isHeld() || !m_workspace.client().isConnected()
         || !std::exchange(m_isAskDue, false))
         return;
-    m_workspace.perform(u"camera"_s, {}, true).then(this, [this](const Result<ActionOutcome> &outcome) {
-        onTold(outcome);
-    });
+    whenDone(m_workspace.perform(u"camera"_s, {}, true), this,
+             [this](const Result<ActionOutcome> &outcome) { onTold(outcome); });
 }
 
 void PictureSettings::perform(const QString &key, const QVariantMap &arguments)
 {
-    m_workspace.perform(key, arguments).then(this, [this](const Result<ActionOutcome> &outcome) {
-        onTold(outcome);
-    });
+    whenDone(m_workspace.perform(key, arguments), this,
+             [this](const Result<ActionOutcome> &outcome) { onTold(outcome); });
 }
 
 void PictureSettings::onTold(const Result<ActionOutcome> &outcome)
@@ -220,9 +219,9 @@ void PictureSettings::onTold(const Result<ActionOutcome> &outcome)
 // The fields begin with what the drone tells, whatever that is worth.
 void PictureSettings::editLens()
 {
-    m_workspace.perform(u"camera.lens"_s, {}, true).then(this, [this](const Result<ActionOutcome> &outcome) {
-        openLens(outcome ? outcome->reply : QVariantMap());
-    });
+    whenDone(
+        m_workspace.perform(u"camera.lens"_s, {}, true), this,
+        [this](const Result<ActionOutcome> &outcome) { openLens(outcome ? outcome->reply : QVariantMap()); });
 }
 
 void PictureSettings::openLens(const QVariantMap &values)

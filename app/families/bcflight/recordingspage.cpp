@@ -4,6 +4,7 @@
 
 #include "protocol/bcflight/device.h"
 #include "protocol/bcflight/infotext.h"
+#include "protocol/client/whendone.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/theme/tablelook.h"
 
@@ -86,20 +87,18 @@ void RecordingsPage::read()
         return;
     m_isRead = m_isReading = true;
     showState();
-    workspace()
-        .client()
-        .submit<QByteArray>([](Channel &channel, Device &device) {
-            // The page is only offered to this family's boards.
-            return static_cast<bcflight::Device &>(device).readRecordingsList(channel);
-        })
-        .then(this, [this](const Result<QByteArray> &list) {
-            m_isReading = false;
-            if (list)
-                showList(*list);
-            else if (!isEndOfLink(list.error()))
-                workspace().notifications().report(list.error());
-            showState();
-        });
+    whenDone(workspace().client().submit<QByteArray>([](Channel &channel, Device &device) {
+        // The page is only offered to this family's boards.
+        return static_cast<bcflight::Device &>(device).readRecordingsList(channel);
+    }),
+             this, [this](const Result<QByteArray> &list) {
+                 m_isReading = false;
+                 if (list)
+                     showList(*list);
+                 else if (!isEndOfLink(list.error()))
+                     workspace().notifications().report(list.error());
+                 showState();
+             });
 }
 
 void RecordingsPage::showList(const QByteArray &list)

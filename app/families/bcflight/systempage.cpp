@@ -4,6 +4,7 @@
 
 #include "protocol/bcflight/device.h"
 #include "protocol/bcflight/infotext.h"
+#include "protocol/client/whendone.h"
 #include "widgets/models/errortext.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
@@ -114,20 +115,19 @@ void SystemPage::read()
 void SystemPage::readPart(Part part)
 {
     ++m_open;
-    workspace()
-        .client()
-        .submit<QString>([id = kQuestions[std::size_t(part)]](Channel &channel, Device &device) {
-            // The page is only offered to this family's boards.
-            return static_cast<bcflight::Device &>(device).readInformation(channel, id);
-        })
-        .then(this, [this, part](const Result<QString> &told) {
-            --m_open;
-            if (told)
-                showText(part, *told);
-            else if (!isEndOfLink(told.error()))
-                showNote(part, tr("not told: %1").arg(describe(told.error()).what));
-            showState();
-        });
+    whenDone(workspace().client().submit<QString>(
+                 [id = kQuestions[std::size_t(part)]](Channel &channel, Device &device) {
+                     // The page is only offered to this family's boards.
+                     return static_cast<bcflight::Device &>(device).readInformation(channel, id);
+                 }),
+             this, [this, part](const Result<QString> &told) {
+                 --m_open;
+                 if (told)
+                     showText(part, *told);
+                 else if (!isEndOfLink(told.error()))
+                     showNote(part, tr("not told: %1").arg(describe(told.error()).what));
+                 showState();
+             });
 }
 
 QTreeWidgetItem *SystemPage::clearedPart(Part part)

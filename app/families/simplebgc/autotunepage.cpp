@@ -3,6 +3,7 @@
 #include "app/families/simplebgc/autotunepage.h"
 
 #include "protocol/base/linkloss.h"
+#include "protocol/client/whendone.h"
 #include "widgets/forms/argumentform.h"
 #include "widgets/forms/keyboard.h"
 #include "widgets/models/numbertext.h"
@@ -166,37 +167,36 @@ void AutoTunePage::onState()
 // broke before it was decided which ones to keep, and the board may have restarted.
 void AutoTunePage::clearUp(Left left)
 {
-    workspace()
-        .client()
-        .submit<Configuration>([left](Channel &channel, Device &device) -> Result<Configuration> {
-            if (left == Left::Searching) {
-                if (const auto stopped = device.perform(channel, kStop, {}); !stopped)
-                    return tl::unexpected(stopped.error());
-            }
-            return device.readConfiguration(channel);
-        })
-        .then(this, [this, left](const Result<Configuration> &board) {
-            if (!board && (isLinkLoss(board.error()) || !workspace().client().isConnected())) {
-                m_left = left;  // the next connection
-                return;
-            }
-            workspace().notifications().settle(Concern::Interrupted);
-            if (!board && left == Left::Found) {
-                workspace().notifications().report(board.error());
-                return;
-            }
-            if (!board) {
-                ErrorText text = describe(board.error());
-                text.what
-                    = tr("The search that was broken off could not be ended: the board may be moving the "
+    whenDone(workspace().client().submit<Configuration>(
+                 [left](Channel &channel, Device &device) -> Result<Configuration> {
+                     if (left == Left::Searching) {
+                         if (const auto stopped = device.perform(channel, kStop, {}); !stopped)
+                             return tl::unexpected(stopped.error());
+                     }
+                     return device.readConfiguration(channel);
+                 }),
+             this, [this, left](const Result<Configuration> &board) {
+                 if (!board && (isLinkLoss(board.error()) || !workspace().client().isConnected())) {
+                     m_left = left;  // the next connection
+                     return;
+                 }
+                 workspace().notifications().settle(Concern::Interrupted);
+                 if (!board && left == Left::Found) {
+                     workspace().notifications().report(board.error());
+                     return;
+                 }
+                 if (!board) {
+                     ErrorText text = describe(board.error());
+                     text.what = tr(
+                         "The search that was broken off could not be ended: the board may be moving the "
                          "camera on.");
-                text.cure = tr("Stop the motors.");
-                workspace().notifications().report(text);
-                return;
-            }
-            if (m_state == State::Ready)
-                tellLeft(*board, left);
-        });
+                     text.cure = tr("Stop the motors.");
+                     workspace().notifications().report(text);
+                     return;
+                 }
+                 if (m_state == State::Ready)
+                     tellLeft(*board, left);
+             });
 }
 
 void AutoTunePage::setState(State state)
@@ -291,9 +291,8 @@ void AutoTunePage::start()
     m_last.clear();
     setState(State::Running);
     fillTable();
-    workspace().perform(kAction, *arguments, true).then(this, [this](const Result<ActionOutcome> &outcome) {
-        onFinished(outcome);
-    });
+    whenDone(workspace().perform(kAction, *arguments, true), this,
+             [this](const Result<ActionOutcome> &outcome) { onFinished(outcome); });
 }
 
 void AutoTunePage::onProgress(const Progress &progress)
@@ -327,7 +326,7 @@ void AutoTunePage::stop()
         workspace().client().cancelJobs();
         return;
     }
-    workspace().perform(kStop, {}, true).then(this, [this](const Result<ActionOutcome> &stopped) {
+    whenDone(workspace().perform(kStop, {}, true), this, [this](const Result<ActionOutcome> &stopped) {
         if (stopped)
             onFinished(failure(ErrorCode::Cancelled));
         else  // whatever prevented it, nobody has seen the search end
@@ -440,7 +439,7 @@ void AutoTunePage::judge()
 
 void AutoTunePage::accept()
 {
-    workspace().saveLive(*this).then(this, [this](bool saved) {
+    whenDone(workspace().saveLive(*this), this, [this](bool saved) {
         if (!saved)
             return;
         m_before.clear();

@@ -5,6 +5,7 @@
 #include "app/workspace/question.h"
 #include "app/workspace/wizardparts.h"
 #include "protocol/base/linkloss.h"
+#include "protocol/client/whendone.h"
 #include "widgets/forms/keyboard.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/plot/spanstatistics.h"
@@ -317,11 +318,11 @@ void CalibrationPage::measure()
     m_measuring = std::max(0, m_face);
     setStep(Step::Measure);
     const QString key = m_kind == Kind::Gyroscope ? u"calibrate.gyro"_s : u"calibrate.acc"_s;
-    workspace()
-        .perform(key,
+    whenDone(workspace().perform(
+                 key,
                  {{u"imu"_s, 0}, {u"action"_s, 1}, {u"form"_s, 0}, {u"six"_s, m_kind == Kind::SixPositions}},
-                 true)
-        .then(this, [this](const Result<ActionOutcome> &outcome) { onMeasured(outcome); });
+                 true),
+             this, [this](const Result<ActionOutcome> &outcome) { onMeasured(outcome); });
 }
 
 void CalibrationPage::onMeasured(const Result<ActionOutcome> &outcome)

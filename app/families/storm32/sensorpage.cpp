@@ -6,6 +6,7 @@
 #include "app/workspace/wizardparts.h"
 #include "protocol/base/filefault.h"
 #include "protocol/base/linkloss.h"
+#include "protocol/client/whendone.h"
 #include "widgets/forms/keyboard.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/views/sensorcube.h"
@@ -201,10 +202,9 @@ void SensorPage::start(bool six)
     m_missing = kAllFaces;
     setStep(Step::Measure);
     m_sees->setText(tr("Waiting for readings of the sensor."));
-    workspace()
-        .perform(six ? u"calibrate.six"_s : u"calibrate.level"_s,
-                 {{u"imu"_s, m_imu->currentData()}, {u"store"_s, false}}, true)
-        .then(this, [this](const Result<ActionOutcome> &outcome) { onMeasured(outcome); });
+    whenDone(workspace().perform(six ? u"calibrate.six"_s : u"calibrate.level"_s,
+                                 {{u"imu"_s, m_imu->currentData()}, {u"store"_s, false}}, true),
+             this, [this](const Result<ActionOutcome> &outcome) { onMeasured(outcome); });
 }
 
 void SensorPage::setStep(Step step)
@@ -364,16 +364,15 @@ void SensorPage::store()
         arguments.insert(u"scale.%1"_s.arg(QChar(kAxisNames[axis])), m_calibration.scale[axis]);
     }
     m_store->setEnabled(false);
-    workspace()
-        .perform(u"calibration.write"_s, arguments)
-        .then(this, [this](const Result<ActionOutcome> &outcome) {
-            updateState();
-            if (!outcome)
-                return;
-            workspace().notifications().notify(tr("The calibration is stored and read back."));
-            setStep(Step::Choose);
-            m_hands->putBack();
-        });
+    whenDone(workspace().perform(u"calibration.write"_s, arguments), this,
+             [this](const Result<ActionOutcome> &outcome) {
+                 updateState();
+                 if (!outcome)
+                     return;
+                 workspace().notifications().notify(tr("The calibration is stored and read back."));
+                 setStep(Step::Choose);
+                 m_hands->putBack();
+             });
 }
 
 Result<void> SensorPage::loadFile(const QString &path)

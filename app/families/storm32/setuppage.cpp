@@ -4,6 +4,7 @@
 
 #include "app/workspace/wizardparts.h"
 #include "protocol/base/linkloss.h"
+#include "protocol/client/whendone.h"
 #include "widgets/forms/keyboard.h"
 #include "widgets/forms/numberbox.h"
 #include "widgets/models/numbertext.h"
@@ -382,12 +383,11 @@ void SetupPage::runStep()
     m_running = true;
     m_failed = false;
     updateState();
-    workspace()
-        .perform(key, arguments, true)
-        .then(this, [this, run = m_run](const Result<ActionOutcome> &outcome) {
-            if (run == m_run && m_running)
-                finished(outcome);
-        });
+    whenDone(workspace().perform(key, arguments, true), this,
+             [this, run = m_run](const Result<ActionOutcome> &outcome) {
+                 if (run == m_run && m_running)
+                     finished(outcome);
+             });
 }
 
 void SetupPage::finished(const Result<ActionOutcome> &outcome)
@@ -447,7 +447,7 @@ void SetupPage::finished(const Result<ActionOutcome> &outcome)
         m_running = true;
         updateState();
         workspace().setGuided(false);
-        workspace().saveLive(*this, setHere()).then(this, [this, run = m_run](bool stored) {
+        whenDone(workspace().saveLive(*this, setHere()), this, [this, run = m_run](bool stored) {
             if (run != m_run)
                 return;
             m_running = false;

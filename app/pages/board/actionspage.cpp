@@ -3,6 +3,7 @@
 #include "app/pages/board/actionspage.h"
 
 #include "app/workspace/question.h"
+#include "protocol/client/whendone.h"
 #include "widgets/forms/argumentform.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
@@ -334,32 +335,32 @@ void ActionsPage::performNow(const ActionSpec &action, const QVariantMap &argume
     const QString label = tableText(action.label);
     m_reply->setPlainText(tr("%1 …").arg(label));
     const bool rereads = action.risk == ActionRisk::Writes && action.memory == MemoryEffect::None;
-    workspace()
-        .perform(QString::fromLatin1(action.key), arguments)
-        .then(this, [this, action, label, rereads](const Result<ActionOutcome> &outcome) {
-            m_running = false;
-            updateRun();
-            const QString time = QTime::currentTime().toString(u"HH:mm:ss"_s);
-            if (!outcome) {
-                m_reply->setPlainText(time + u"  "_s + label + u'\n' + describe(outcome.error()).oneLine());
-                return;
-            }
-            const QString state = outcome->answered ? tr("done") : tr("sent");
-            QString html = u"<p>%1  <b>%2</b>: %3</p><table>"_s.arg(time, label.toHtmlEscaped(),
-                                                                    state.toHtmlEscaped());
-            for (auto it = outcome->reply.begin(); it != outcome->reply.end(); ++it) {
-                html += u"<tr><td style='padding:2px 16px 2px 0'>%1</td>"
-                        "<td style='padding:2px 0'>%2 %3</td></tr>"_s.arg(
-                            replyLabel(it.key()).toHtmlEscaped(), replyText(it.value()).toHtmlEscaped(),
-                            replyUnit(action, it.key()));
-            }
-            html += u"</table>"_s;
-            if (!outcome->snapshotPath.isEmpty())
-                html += u"<p>%1</p>"_s.arg(tr("The settings as they were are kept in %1")
-                                               .arg(outcome->snapshotPath)
-                                               .toHtmlEscaped());
-            m_reply->setHtml(html);
-            if (rereads && !outcome->reply.contains(u"unstored"_s))
-                workspace().readBoard();
-        });
+    whenDone(workspace().perform(QString::fromLatin1(action.key), arguments), this,
+             [this, action, label, rereads](const Result<ActionOutcome> &outcome) {
+                 m_running = false;
+                 updateRun();
+                 const QString time = QTime::currentTime().toString(u"HH:mm:ss"_s);
+                 if (!outcome) {
+                     m_reply->setPlainText(time + u"  "_s + label + u'\n'
+                                           + describe(outcome.error()).oneLine());
+                     return;
+                 }
+                 const QString state = outcome->answered ? tr("done") : tr("sent");
+                 QString html = u"<p>%1  <b>%2</b>: %3</p><table>"_s.arg(time, label.toHtmlEscaped(),
+                                                                         state.toHtmlEscaped());
+                 for (auto it = outcome->reply.begin(); it != outcome->reply.end(); ++it) {
+                     html += u"<tr><td style='padding:2px 16px 2px 0'>%1</td>"
+                             "<td style='padding:2px 0'>%2 %3</td></tr>"_s.arg(
+                                 replyLabel(it.key()).toHtmlEscaped(), replyText(it.value()).toHtmlEscaped(),
+                                 replyUnit(action, it.key()));
+                 }
+                 html += u"</table>"_s;
+                 if (!outcome->snapshotPath.isEmpty())
+                     html += u"<p>%1</p>"_s.arg(tr("The settings as they were are kept in %1")
+                                                    .arg(outcome->snapshotPath)
+                                                    .toHtmlEscaped());
+                 m_reply->setHtml(html);
+                 if (rereads && !outcome->reply.contains(u"unstored"_s))
+                     workspace().readBoard();
+             });
 }

@@ -4,6 +4,7 @@
 
 #include "app/workspace/question.h"
 #include "protocol/base/filefault.h"
+#include "protocol/client/whendone.h"
 #include "protocol/procedure/safeaction.h"
 #include "widgets/forms/filtertable.h"
 
@@ -158,24 +159,23 @@ void ConsolePage::send()
 
 void ConsolePage::sendNow(const RawCommand &command)
 {
-    workspace()
-        .client()
-        .submit<bool>([command, history = workspace().history(),
-                       live = workspace().live().unsaved()](Channel &channel, Device &device) {
-            return sendRaw(channel, device, command, history, live);
-        })
-        .then(this, [this, risk = command.risk](const Result<bool> &sent) {
-            if (!sent) {
-                workspace().notifications().report(sent.error());
-                return;
-            }
-            m_input->selectAll();
-            if (risk == ActionRisk::Safe || !workspace().client().isConnected())
-                return;
-            // Whatever it did, the screen says what the board holds.
-            workspace().live().read();
-            workspace().readBoard();
-        });
+    whenDone(workspace().client().submit<bool>(
+                 [command, history = workspace().history(),
+                  live = workspace().live().unsaved()](Channel &channel, Device &device) {
+                     return sendRaw(channel, device, command, history, live);
+                 }),
+             this, [this, risk = command.risk](const Result<bool> &sent) {
+                 if (!sent) {
+                     workspace().notifications().report(sent.error());
+                     return;
+                 }
+                 m_input->selectAll();
+                 if (risk == ActionRisk::Safe || !workspace().client().isConnected())
+                     return;
+                 // Whatever it did, the screen says what the board holds.
+                 workspace().live().read();
+                 workspace().readBoard();
+             });
 }
 
 Result<void> ConsolePage::saveText(const QString &path) const

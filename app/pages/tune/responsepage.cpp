@@ -5,6 +5,7 @@
 #include "app/pages/tune/movementform.h"
 #include "app/pages/tune/responsecharts.h"
 #include "protocol/base/filefault.h"
+#include "protocol/client/whendone.h"
 #include "protocol/record/responsecsv.h"
 #include "widgets/forms/numberbox.h"
 #include "widgets/models/numbertext.h"
@@ -302,23 +303,21 @@ void ResponsePage::start()
     workspace().live().hold();
     m_progress->setValue(0);
     workspace().mark(PlotMark::Kind::Note, tr("Test of %1 begins").arg(axisLabel(axis())));
-    workspace()
-        .client()
-        .submit<MotionTestResult>(
-            [wanted = m_movement->plan(*test, axis()),
-             telemetry = workspace().client().telemetry()](Channel &channel, Device &device) {
-                return measureMotion(channel, device, *telemetry, wanted);
-            },
-            DeviceClient::JobKind::Moving)
-        .then(this, [this](const Result<MotionTestResult> &result) {
-            m_running = false;
-            workspace().live().release();
-            workspace().endWork();
-            if (result)
-                onMeasured(*result);
-            else
-                onFailed(result.error());
-        });
+    whenDone(workspace().client().submit<MotionTestResult>(
+                 [wanted = m_movement->plan(*test, axis()),
+                  telemetry = workspace().client().telemetry()](Channel &channel, Device &device) {
+                     return measureMotion(channel, device, *telemetry, wanted);
+                 },
+                 DeviceClient::JobKind::Moving),
+             this, [this](const Result<MotionTestResult> &result) {
+                 m_running = false;
+                 workspace().live().release();
+                 workspace().endWork();
+                 if (result)
+                     onMeasured(*result);
+                 else
+                     onFailed(result.error());
+             });
     setArmed(false);
 }
 

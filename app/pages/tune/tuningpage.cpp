@@ -3,6 +3,7 @@
 #include "app/pages/tune/tuningpage.h"
 
 #include "app/pages/tune/gaincard.h"
+#include "protocol/client/whendone.h"
 #include "widgets/forms/liveslider.h"
 #include "widgets/forms/numberbox.h"
 #include "widgets/forms/valueeditor.h"
@@ -447,7 +448,7 @@ void TuningPage::compare()
 {
     m_saving = true;
     updateState();
-    workspace().compareStored().then(this, [this](const Result<WholeMemory::Contents> &both) {
+    whenDone(workspace().compareStored(), this, [this](const Result<WholeMemory::Contents> &both) {
         m_saving = false;
         if (!both)
             workspace().notifications().report(both.error());
@@ -509,7 +510,7 @@ void TuningPage::save()
         return;
     m_saving = true;
     updateState();
-    workspace().saveLive(*this).then(this, [this](bool) {
+    whenDone(workspace().saveLive(*this), this, [this](bool) {
         m_saving = false;
         updateState();
     });

@@ -3,6 +3,7 @@
 #include "app/pages/watch/blackboxpage.h"
 
 #include "protocol/base/filefault.h"
+#include "protocol/client/whendone.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/theme/tablelook.h"
 
@@ -116,24 +117,22 @@ void BlackBoxPage::read()
     m_path = path;
     m_found->setText(tr("Reading…"));
     using Box = std::shared_ptr<const BlackBox>;
-    workspace()
-        .client()
-        .submit<Box>([path](Channel &, Device &) -> Result<Box> {
-            const auto bytes = readWhole(path, FileKind::Recording, kLargestBox);
-            if (!bytes)
-                return tl::unexpected(bytes.error());
-            auto box = BlackBox::read(*bytes);
-            if (!box)
-                return tl::unexpected(inFile(box.error(), path));
-            return std::make_shared<const BlackBox>(*std::move(box));
-        })
-        .then(this, [this](const Result<Box> &box) {
-            showBox(box.value_or(nullptr));
-            if (!box)
-                m_path.clear();
-            if (!box && !isEndOfLink(box.error()))
-                workspace().notifications().report(box.error(), Concern::Loading);
-        });
+    whenDone(workspace().client().submit<Box>([path](Channel &, Device &) -> Result<Box> {
+        const auto bytes = readWhole(path, FileKind::Recording, kLargestBox);
+        if (!bytes)
+            return tl::unexpected(bytes.error());
+        auto box = BlackBox::read(*bytes);
+        if (!box)
+            return tl::unexpected(inFile(box.error(), path));
+        return std::make_shared<const BlackBox>(*std::move(box));
+    }),
+             this, [this](const Result<Box> &box) {
+                 showBox(box.value_or(nullptr));
+                 if (!box)
+                     m_path.clear();
+                 if (!box && !isEndOfLink(box.error()))
+                     workspace().notifications().report(box.error(), Concern::Loading);
+             });
 }
 
 void BlackBoxPage::showBox(std::shared_ptr<const BlackBox> box)
