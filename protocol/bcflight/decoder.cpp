@@ -49,6 +49,16 @@ constexpr Place kPlaces[] = {
     {Message::StabilizerFrequency, Loops},
 };
 
+// What the attitude unit measures or makes of it (errata 8.1).
+bool isOfAttitude(Message id)
+{
+    static constexpr Message kItems[] = {Message::RollPitchYaw, Message::CurrentAcceleration,
+                                         Message::Altitude,     Message::Rates,
+                                         Message::Gyro,         Message::Accel,
+                                         Message::Magn,         Message::GyroDterm};
+    return std::ranges::find(kItems, id) != std::end(kItems);
+}
+
 }  // namespace
 
 void Decoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store)
@@ -57,11 +67,13 @@ void Decoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store
     if (frame.id == kDiscarded)
         return;
     if (id == Message::Status) {
-        if (const auto status = Status::decode(frame.payload))
+        if (const auto status = Status::decode(frame.payload)) {
+            m_isBlind = !status->calibrated && !status->calibrating;
             put(State,
                 {float(status->bits()), float(status->armed), float(status->calibrated),
                  float(status->calibrating)},
                 at, store);
+        }
         return;
     }
     if (id == Message::Ping)
@@ -82,6 +94,9 @@ void Decoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store
     std::vector<float> values;
     for (const FieldValue &field : decodeFields(*spec->fromDrone, frame.payload))
         values.push_back(float(field.number) * place->factor);
+    // 0 for ever, or the last of what was (errata 8.2): a horizon that lies level would be believed.
+    if (m_isBlind && isOfAttitude(id))
+        std::ranges::fill(values, kNoNumber);
     // Before the first arming this is whatever the memory held (errata 6.4).
     if (id == Message::SetThrust && !(values.front() >= 0 && values.front() <= 1))
         values.front() = kNoNumber;

@@ -20,6 +20,7 @@
 #include "widgets/forms/numberbox.h"
 #include "widgets/views/attitudeview.h"
 #include "widgets/views/controlpad.h"
+#include "widgets/views/motordiagram.h"
 
 #include <QAbstractButton>
 #include <QCheckBox>
@@ -303,8 +304,12 @@ void TestFlight::directionsAreCheckedThenItFlies()
         QTRY_VERIFY_WITH_TIMEOUT(ready(), kPatience);
         pose(tilted);
         QTRY_VERIFY_WITH_TIMEOUT(card->yesButton()->isVisible(), kPatience);
+        // The picture marks the motors that are asked about.
+        QCOMPARE(card->asked().size(), 2);
+        QTRY_COMPARE_WITH_TIMEOUT(page().findChild<MotorDiagram *>()->asked(), card->asked(), kPatience);
         QTest::mouseClick(card->yesButton(), Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(step(), before + 1, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(page().findChild<MotorDiagram *>()->asked().isEmpty(), kPatience);
         pose(1);
         QVERIFY(m_rig->boardGoesOn(1.2));
         page().throttle()->setValue(page().throttle()->value() == 60 ? 59 : 60);

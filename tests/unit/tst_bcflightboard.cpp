@@ -602,6 +602,14 @@ void TestBcflightBoard::camerasAreThereOrNot()
     QCOMPARE(none.answer(Message::WhiteBalance), QByteArray("(none)\0", 7));
     QVERIFY(!none.answer(Message::Iso));
     QCOMPARE(none.answer(Message::GetCamerasInfos), QByteArray("nil\0", 4));
+    // Built without video it tells of neither (6.2).
+    QVERIFY(rig.answer(Message::GetSensorsInfos) && rig.answer(Message::GetCamerasInfos));
+    Rig plain{Generation::G, {{QLatin1String(Drone::kVideo), 0}}};
+    plain.connect();
+    QVERIFY(!plain.answer(Message::GetSensorsInfos));
+    QVERIFY(!plain.answer(Message::GetCamerasInfos));
+    QVERIFY(plain.answer(Message::GetBoardInfos));
+    QVERIFY(!plain.board.cameraView());
 }
 
 void TestBcflightBoard::recordingsAreListed()

@@ -22,6 +22,8 @@ constexpr double kMost = 100;  // %
 constexpr double kClose = 0.25;  // places that would cover each other
 constexpr double kFullCircle = 360 * 16;
 constexpr double kTop = 90 * 16;
+constexpr double kMarkLine = 2;  // pixels
+constexpr double kAskedLine = 4;
 constexpr double kTurnAngle = 70;  // degrees of an arrow that shows a direction
 
 // Where the shares put a motor; two at the same place (one above the other) are moved apart.
@@ -94,6 +96,12 @@ void MotorDiagram::setTested(int motor)
         tell();
 }
 
+void MotorDiagram::setAsked(const QList<int> &motors)
+{
+    if (std::exchange(m_asked, motors) != m_asked)
+        tell();
+}
+
 void MotorDiagram::setSelectable(bool selectable)
 {
     m_selectable = selectable;
@@ -143,6 +151,8 @@ void MotorDiagram::tell()
             part += u", "_s + tr("being tested");
         if (motor == m_selected)
             part += u", "_s + tr("chosen");
+        if (m_asked.contains(motor))
+            part += u", "_s + tr("asked about");
         parts.append(part);
     }
     setAccessibleDescription(parts.isEmpty() ? tr("No data") : parts.join(u"; "_s));
@@ -183,6 +193,13 @@ QRectF MotorDiagram::barOf(int motor) const
 QColor MotorDiagram::colourOf(int motor) const
 {
     return m_theme.color(motor == m_tested || output(motor) > 100 ? ColorRole::Warning : ColorRole::Accent);
+}
+
+QColor MotorDiagram::markOf(int motor) const
+{
+    if (motor == m_tested)
+        return m_theme.color(ColorRole::Warning);
+    return motor == m_selected || m_asked.contains(motor) ? m_theme.color(ColorRole::Accent) : QColor();
 }
 
 int MotorDiagram::motorAt(QPointF point) const
@@ -280,8 +297,8 @@ void MotorDiagram::drawMotor(QPainter &painter, int motor) const
         painter.setPen(QPen(colourOf(motor), 6, Qt::SolidLine, Qt::FlatCap));
         painter.drawArc(ring, int(kTop), -int(kFullCircle * std::clamp(percent / 100, 0.01, 1.0)));
     }
-    if (motor == m_selected || motor == m_tested) {
-        painter.setPen(QPen(m_theme.color(motor == m_tested ? ColorRole::Warning : ColorRole::Accent), 2));
+    if (const QColor mark = markOf(motor); mark.isValid()) {
+        painter.setPen(QPen(mark, m_asked.contains(motor) ? kAskedLine : kMarkLine));
         painter.drawEllipse(centre, size + 2, size + 2);
     }
     if (share.yaw != 0)
@@ -314,11 +331,9 @@ void MotorDiagram::drawBar(QPainter &painter, int motor) const
         painter.fillRect(QRectF(bar.left(), bar.bottom() - high, bar.width(), high), colourOf(motor));
         painter.restore();
     }
-    const bool isMarked = motor == m_selected || motor == m_tested;
+    const QColor mark = markOf(motor);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(isMarked ? m_theme.color(motor == m_tested ? ColorRole::Warning : ColorRole::Accent)
-                                 : m_theme.color(ColorRole::Border),
-                        isMarked ? 2 : 1));
+    painter.setPen(mark.isValid() ? QPen(mark, kMarkLine) : QPen(m_theme.color(ColorRole::Border), 1));
     painter.drawPath(outline);
     const double line = fontMetrics().height();
     const double wide = double(width()) / count();

@@ -5,6 +5,7 @@
 #include "protocol/device/motorlayout.h"
 #include "widgets/theme/theme.h"
 
+#include <QList>
 #include <QWidget>
 
 #include <vector>
@@ -26,6 +27,9 @@ public:
     void setOutputs(const std::vector<double> &outputs);
     /// The motor that a test turns now, from 1; 0 = none.
     void setTested(int motor);
+    /// The motors, from 1, that a question is about.
+    void setAsked(const QList<int> &motors);
+    [[nodiscard]] const QList<int> &asked() const { return m_asked; }
     /// One of them can be chosen, by a click or with the arrow keys.
     void setSelectable(bool selectable);
     void setSelected(int motor);
@@ -55,6 +59,8 @@ private:
     [[nodiscard]] QRectF barOf(int motor) const;
     [[nodiscard]] double output(int motor) const { return m_outputs[std::size_t(motor - 1)]; }
     [[nodiscard]] QColor colourOf(int motor) const;
+    /// Of the line around it; invalid: it is not marked.
+    [[nodiscard]] QColor markOf(int motor) const;
     void choose(int motor);
     void drawFrame(QPainter &painter) const;
     void drawMotor(QPainter &painter, int motor) const;
@@ -66,6 +72,7 @@ private:
     std::vector<QPointF> m_places;  // -1 to 1, right and down
     std::vector<double> m_outputs;
     int m_tested = 0;
+    QList<int> m_asked;
     int m_selected = 0;
     bool m_selectable = false;
 };

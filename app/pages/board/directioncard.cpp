@@ -166,10 +166,18 @@ void DirectionCard::feed(const DirectionCheck::Axes &sticks, const Session &sess
         emit stepChanged();
 }
 
+bool DirectionCard::isAsking() const
+{
+    return m_check && m_check->isArmedStep() && m_check->sight() == DirectionCheck::Sight::Seen;
+}
+
+QList<int> DirectionCard::asked() const
+{
+    return isAsking() ? m_check->faster() : QList<int>();
+}
+
 void DirectionCard::show()
 {
-    const bool isAsking
-        = m_check && m_check->isArmedStep() && m_check->sight() == DirectionCheck::Sight::Seen;
     using Level = CheckedDirections::Level;
     const Level level = found().level;
     m_what->setText(
@@ -196,7 +204,7 @@ void DirectionCard::show()
         QSizePolicy policy = button->sizePolicy();
         policy.setRetainSizeWhenHidden(m_check.has_value());
         button->setSizePolicy(policy);
-        button->setVisible(isAsking);
+        button->setVisible(isAsking());
     }
 }
 
@@ -289,7 +297,7 @@ QString DirectionCard::sees() const
     if (!step)
         return {};
     const auto sight = m_check->sight();
-    if (m_check->isArmedStep() && sight == DirectionCheck::Sight::Seen)
+    if (isAsking())
         return question() + u' '
             + tr("Look at the drone: places and directions in the picture are those of the text, and are "
                  "being checked now.");

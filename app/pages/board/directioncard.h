@@ -42,12 +42,15 @@ public:
     [[nodiscard]] QPushButton *yesButton() const { return m_yes; }
     [[nodiscard]] QPushButton *noButton() const { return m_no; }
     [[nodiscard]] QString instruction() const;
+    /// The motors, from 1, that are asked about now.
+    [[nodiscard]] QList<int> asked() const;
 
 signals:
     /// It has begun, ended, or is at another step.
     void stepChanged();
 
 private:
+    [[nodiscard]] bool isAsking() const;
     void show();
     void answer(bool isRight);
     void keep();

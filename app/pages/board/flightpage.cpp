@@ -485,6 +485,7 @@ void FlightPage::showNow()
 {
     showAttitude(workspace(), *m_attitude);
     showMotors(workspace(), *m_motors);
+    m_motors->setAsked(m_directions->asked());
     m_throttleText->setText(tr("%1 %").arg(qRound(kFullStick * sticks().throttle)));
     m_keys->setVisible(!m_gamepad->isChosen());
     const auto text = [](double number, int decimals, const QString &unit) {

@@ -15,9 +15,19 @@ constexpr int kIsoStep = 100;
 
 }  // namespace
 
+bool SimulatedBoard::hasVideo() const
+{
+    return m_options.own.value(QLatin1String(kVideo), 1) != 0;
+}
+
+bool SimulatedBoard::hasCamera() const
+{
+    return hasVideo() && m_options.own.value(QLatin1String(kCamera), 1) != 0;
+}
+
 std::optional<CameraView> SimulatedBoard::cameraView() const
 {
-    if (m_options.own.value(QLatin1String(kCamera), 1) == 0 || m_isDead || m_now < m_awayUntil)
+    if (!hasCamera() || m_isDead || m_now < m_awayUntil)
         return {};
     const Vector3 attitude = m_quadcopter.attitude();
     CameraView view;

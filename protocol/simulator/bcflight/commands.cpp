@@ -195,8 +195,11 @@ bool SimulatedBoard::handle(const DroneReader::Item &item, DroneReader &reader)
     }
     case Message::SetFullTelemetry: m_isFull = u32At(payload) != 0; break;
     case Message::GetBoardInfos: answer(text(boardText())); break;
-    case Message::GetSensorsInfos: answer(text(sensorsText())); break;
-    case Message::GetCamerasInfos: answer(text(camerasText())); break;
+    case Message::GetSensorsInfos:
+    case Message::GetCamerasInfos:
+        if (hasVideo())
+            answer(text(id == Message::GetSensorsInfos ? sensorsText() : camerasText()));
+        break;
     case Message::GetConfigFile: answer(encodeChecked(m_configuration)); break;
     case Message::SetConfigFile: takeConfiguration(payload); break;
     case Message::UploadInit:
@@ -239,7 +242,7 @@ bool SimulatedBoard::handle(const DroneReader::Item &item, DroneReader &reader)
         answer(toByteArray(payload));
         break;
     case Message::GetRecordingsList:
-        answer(encodeChecked(m_options.own.value(QLatin1String(kCamera), 1)
+        answer(encodeChecked(hasCamera()
                                  ? QByteArray(".:0:::;..:0:::;video_0.h264:734003:::;video_1.h264:20480:::;")
                                  : QByteArray(";")));
         break;
@@ -278,7 +281,6 @@ bool SimulatedBoard::handleGain(Message id, Bytes payload)
 
 bool SimulatedBoard::handleCamera(Message id, Bytes payload)
 {
-    const bool hasCamera = m_options.own.value(QLatin1String(kCamera), 1) != 0;
     const auto answer = [&](const QByteArray &data) { send(message(id, data)); };
     switch (id) {
     case Message::VideoPause: answer(bigU32(1)); break;
@@ -288,16 +290,16 @@ bool SimulatedBoard::handleCamera(Message id, Bytes payload)
     case Message::VideoNightMode: answer(toByteArray(payload)); break;
     case Message::Iso:
     case Message::ShutterSpeed:
-        if (hasCamera)
+        if (hasCamera())
             answer(bigU32(std::uint32_t(id == Message::Iso ? m_iso : kShutter)));
         break;
     case Message::WhiteBalance:
-        if (hasCamera && !m_isRetry)
+        if (hasCamera() && !m_isRetry)
             m_whiteBalance = (m_whiteBalance + 1) % int(std::size(kWhiteBalances));
-        answer(text(hasCamera ? kWhiteBalances[m_whiteBalance] : "(none)"));
+        answer(text(hasCamera() ? kWhiteBalances[m_whiteBalance] : "(none)"));
         break;
-    case Message::ExposureMode: answer(text(hasCamera ? "" : "(none)")); break;
-    case Message::LockWhiteBalance: answer(text(hasCamera ? "R1.50B2.25" : "(none)")); break;
+    case Message::ExposureMode: answer(text(hasCamera() ? "" : "(none)")); break;
+    case Message::LockWhiteBalance: answer(text(hasCamera() ? "R1.50B2.25" : "(none)")); break;
     case Message::LensShader: answer(QByteArray(9, char(0x2A))); break;
     default: stepPicture(id); break;  // no reply, nothing that could be read
     }

@@ -51,30 +51,33 @@ Result<int> parseFirmware(const QString &text)
 
 SimulatedFamily simulatedFamily()
 {
-    return {u"bcflight"_s,
-            {LinkAddress::Kind::Udp, LinkAddress::Kind::Tcp},
-            {u"1.0 (see generation)"_s, parseFirmware},
-            {{QLatin1String(SimulatedBoard::kGeneration),
-              u"G"_s,
-              {u"which generation of the protocol it speaks: A to G (default)"_s},
-              readGeneration},
-             switchOption(SimulatedBoard::kCamera, u"0: it has no camera"_s),
-             {QLatin1String(SimulatedBoard::kFrameRate),
-              u"N"_s,
-              {u"frames per second of its camera: 30 (default) or 60"_s},
-              readFrameRate},
-             switchOption(SimulatedBoard::kJpegs, u"1: its camera sends JPEGs instead of H.264"_s),
-             switchOption(SimulatedBoard::kTransmitter, u"0: it has no video transmitter"_s),
-             switchOption(SimulatedBoard::kNotch,
-                          u"1: its notch filter follows the rates; it streams their spectrum"_s),
-             switchOption(SimulatedBoard::kStand,
-                          u"1: it turns freely in a test stand; else it stands on the ground"_s)},
-            [](const SimulatorOptions &options) {
-                SimulatorOptions made = options;
-                const QString stand = QLatin1String(SimulatedBoard::kStand);
-                made.own.insert(stand, options.own.value(stand, 0));
-                return std::make_unique<SimulatedBoard>(made);
-            }};
+    return {
+        u"bcflight"_s,
+        {LinkAddress::Kind::Udp, LinkAddress::Kind::Tcp},
+        {u"1.0 (see generation)"_s, parseFirmware},
+        {{QLatin1String(SimulatedBoard::kGeneration),
+          u"G"_s,
+          {u"which generation of the protocol it speaks: A to G (default)"_s},
+          readGeneration},
+         switchOption(SimulatedBoard::kCamera, u"0: it has no camera"_s),
+         switchOption(SimulatedBoard::kVideo,
+                      u"0: its program was built without video: it tells nothing of cameras and sensors"_s),
+         {QLatin1String(SimulatedBoard::kFrameRate),
+          u"N"_s,
+          {u"frames per second of its camera: 30 (default) or 60"_s},
+          readFrameRate},
+         switchOption(SimulatedBoard::kJpegs, u"1: its camera sends JPEGs instead of H.264"_s),
+         switchOption(SimulatedBoard::kTransmitter, u"0: it has no video transmitter"_s),
+         switchOption(SimulatedBoard::kNotch,
+                      u"1: its notch filter follows the rates; it streams their spectrum"_s),
+         switchOption(SimulatedBoard::kStand,
+                      u"1: it turns freely in a test stand; else it stands on the ground"_s)},
+        [](const SimulatorOptions &options) {
+            SimulatorOptions made = options;
+            const QString stand = QLatin1String(SimulatedBoard::kStand);
+            made.own.insert(stand, options.own.value(stand, 0));
+            return std::make_unique<SimulatedBoard>(made);
+        }};
 }
 
 }  // namespace bcflight
