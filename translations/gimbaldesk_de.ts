@@ -2871,6 +2871,10 @@
         <source>Hold it level and let the sticks go until the motors turn steadily. If they do not, disarm and arm again.</source>
         <translation>Waagerecht halten und die Knüppel loslassen, bis die Motoren gleichmäßig drehen. Tun sie das nicht, entschärfen und wieder scharf schalten.</translation>
     </message>
+    <message>
+        <source>Checked, until another connection is made: it has no serial number. With a name (Backups) it is kept.</source>
+        <translation>Geprüft, bis eine andere Verbindung aufgebaut wird: Die Drohne hat keine Seriennummer. Mit einem Namen (Sicherungen) bleibt die Prüfung gültig.</translation>
+    </message>
 </context>
 <context>
     <name>DocumentsPage</name>
@@ -5931,6 +5935,10 @@
         <source>over %1 %</source>
         <translation>über %1 %</translation>
     </message>
+    <message>
+        <source>asked about</source>
+        <translation>wird nachgefragt</translation>
+    </message>
 </context>
 <context>
     <name>MovementForm</name>
@@ -6375,10 +6383,6 @@
         <translation>Bleiben Sie vom Gimbal weg. Schalten Sie die Motoren aus (F12), oder trennen Sie den Strom.</translation>
     </message>
     <message>
-        <source>The board does not confirm yet that the motors are off; the command is repeated. Hold the camera.</source>
-        <translation>Das Board bestätigt noch nicht, dass die Motoren aus sind; der Befehl wird wiederholt. Die Kamera festhalten.</translation>
-    </message>
-    <message>
         <source>The recording does not hold an answer to what the program asks.</source>
         <translation>Die Aufzeichnung enthält keine Antwort auf das, was das Programm fragt.</translation>
     </message>
@@ -6442,13 +6446,6 @@
         <source>The connection ended before the motors were seen to stop.</source>
         <translation>Die Verbindung endete, bevor zu sehen war, dass die Motoren stehen.</translation>
     </message>
-    <message numerus="yes">
-        <source>The board hears nothing for %n more second(s), also no stop. The stop is queued as the first thing that it hears then. To stop it at once, disconnect the battery.</source>
-        <translation>
-            <numerusform>Das Board hört noch %n Sekunde lang nichts, auch keinen Stopp. Der Stopp ist eingereiht: er ist das Erste, was es danach hört. Um sofort zu stoppen, den Akku abziehen.</numerusform>
-            <numerusform>Das Board hört noch %n Sekunden lang nichts, auch keinen Stopp. Der Stopp ist eingereiht: er ist das Erste, was es danach hört. Um sofort zu stoppen, den Akku abziehen.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Keep away from the propellers, and disconnect the battery once they stand.</source>
         <translation>Abstand von den Propellern halten und den Akku abziehen, sobald sie stehen.</translation>
@@ -6464,6 +6461,22 @@
     <message>
         <source>It may go on with its last throttle. Disarming it goes on as long as there is a link, and begins again with the next one.</source>
         <translation>Sie läuft vielleicht mit ihrem letzten Gas weiter. Das Entschärfen geht weiter, solange es eine Verbindung gibt, und beginnt mit der nächsten von vorn.</translation>
+    </message>
+    <message>
+        <source>The board does not confirm yet that the motors are off; the command is repeated.</source>
+        <translation>Das Board bestätigt noch nicht, dass die Motoren aus sind; der Befehl wird wiederholt.</translation>
+    </message>
+    <message>
+        <source>Keep away from the propellers.</source>
+        <translation>Abstand von den Propellern halten.</translation>
+    </message>
+    <message>
+        <source>Hold the camera.</source>
+        <translation>Halten Sie die Kamera fest.</translation>
+    </message>
+    <message>
+        <source>The board hears nothing until %1, also no stop. The stop is queued as the first thing that it hears then. To stop it at once, disconnect the battery.</source>
+        <translation>Das Board hört bis %1 nichts, auch kein Anhalten. Das Anhalten ist eingereiht und wird als Erstes gehört. Sofort anhalten: den Akku abziehen.</translation>
     </message>
 </context>
 <context>
@@ -16470,6 +16483,14 @@ Spitze %2°</translation>
     <message>
         <source>it sets nothing; the drone would not start with it</source>
         <translation>er setzt nichts; die Drohne würde damit nicht starten</translation>
+    </message>
+    <message>
+        <source>The generation of its protocol is not one that may be steered (F or G): a packet of another one could be taken for commands.</source>
+        <translation>Die Generation ihres Protokolls darf nicht gesteuert werden (nur F und G): Ein Paket einer anderen könnte als Befehl verstanden werden.</translation>
+    </message>
+    <message>
+        <source>Nothing is steered over TCP: if the link closes, the motors go on turning, and disarming does not stop them. Connect by UDP to fly.</source>
+        <translation>Über TCP wird nichts gesteuert: Schließt sich die Verbindung, drehen die Motoren weiter, und Entschärfen hält sie nicht an. Zum Fliegen über UDP verbinden.</translation>
     </message>
 </context>
 <context>

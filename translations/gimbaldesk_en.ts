@@ -318,13 +318,6 @@
             <numerusform>%n parts of it cannot be read and are left out, %1 in all.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>The board hears nothing for %n more second(s), also no stop. The stop is queued as the first thing that it hears then. To stop it at once, disconnect the battery.</source>
-        <translation>
-            <numerusform>The board hears nothing for %n more second, also no stop. The stop is queued as the first thing that it hears then. To stop it at once, disconnect the battery.</numerusform>
-            <numerusform>The board hears nothing for %n more seconds, also no stop. The stop is queued as the first thing that it hears then. To stop it at once, disconnect the battery.</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>NumberBox</name>

@@ -161,9 +161,13 @@ void Command::tellCondition(DeviceClient &client)
 void BoardCommand::start(DeviceClient &client)
 {
     m_client = &client;
-    if (!client.identity().writable && !client.address().isReplay())
-        emit told(u"this program does not know the firmware %1: what is read may mean something else, and "
-                  "nothing is written"_s.arg(client.identity().firmware));
+    if (const BoardIdentity &board = client.identity(); !board.writable && !client.address().isReplay()) {
+        const QString generation = board.extra.value(u"generation"_s).toString();
+        emit told((generation.isEmpty()
+                       ? u"this program does not know the firmware %1"_s.arg(board.firmware)
+                       : u"generation %1 of the protocol is open for reading only"_s.arg(generation))
+                  + u": what is read may mean something else, and nothing is written"_s);
+    }
     connect(&client, &DeviceClient::steeringEnded, this, [this](bool confirmed) {
         if (confirmed)
             return;

@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QShortcut>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -28,6 +29,9 @@ BannerArea::BannerArea(QStackedWidget &pages, QWidget *parent)
     layout->addWidget(&pages);
     connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_F6), this), &QShortcut::activated, this,
             &BannerArea::jump);
+    // Once the page that comes has its size.
+    connect(&pages, &QStackedWidget::currentChanged, this,
+            [this] { QTimer::singleShot(0, this, &BannerArea::uncoverState); });
     connect(qApp, &QApplication::focusChanged, this, &BannerArea::followFocus);
 }
 
@@ -88,7 +92,10 @@ bool BannerArea::eventFilter(QObject *watched, QEvent *event)
         shield(widget->geometry());
         std::erase_if(m_shown, [widget](const Banner &banner) { return banner.widget == widget; });
         break;
-    case QEvent::LayoutRequest: place(); break;
+    case QEvent::LayoutRequest:
+        place();
+        uncoverState();
+        break;
     default: break;
     }
     return QWidget::eventFilter(watched, event);
@@ -178,6 +185,15 @@ bool BannerArea::hidesState(const QRect &room) const
     return std::any_of(states.begin(), states.end(), [&](const ArmedState *state) {
         return state->isVisible() && room.intersects(QRect(state->mapTo(this, QPoint()), state->size()));
     });
+}
+
+void BannerArea::uncoverState()
+{
+    if (m_shown.empty() || isPointerIn(room(m_lower)) || holds(QApplication::focusWidget())
+        || !hidesState(room(m_lower)) || hidesState(room(!m_lower)))
+        return;
+    m_lower = !m_lower;
+    place();
 }
 
 bool BannerArea::holds(const QWidget *widget) const

@@ -46,6 +46,8 @@ private:
     void appear(QWidget *widget);
     void place();
     void jump();
+    /// Goes to the other edge where there is room that hides less, but never from under the pointer.
+    void uncoverState();
     void followFocus(QWidget *before, QWidget *now);
     [[nodiscard]] bool holds(const QWidget *widget) const;
     /// What the banners that are shown need at that edge.

@@ -413,7 +413,7 @@ void LinkBar::updateMotors()
     // An unknown state counts as running: the button must be able to stop them.
     // So does a board without a command to switch them on: there the button can only stop.
     const Device *device = m_workspace.client().device();
-    const bool canSwitchOn = !linked || (device && device->motorSwitch());
+    const bool canSwitchOn = linked && device && device->motorSwitch();
     // And a board that starts: its motors run soon.
     const bool mayRun = !running || *running || m_workspace.isStarting() || m_workspace.isDeaf();
     m_offNext = mayRun || !canSwitchOn;
@@ -429,8 +429,10 @@ void LinkBar::updateMotors()
         m_motors->setText(text);
         m_motors->setAccessibleName(m_offNext ? tr("Stop motors") : tr("Start motors"));
     }
-    const bool isArmed = freshlyTold(m_workspace, m_workspace.roles().armed).value_or(false);
-    const bool red = linked && (mayRun || isArmed);
+    // What is armed, or does not say that it is not, may run at any moment.
+    const int armed = m_workspace.roles().armed;
+    const bool mayBeArmed = armed >= 0 && freshlyTold(m_workspace, armed).value_or(true);
+    const bool red = linked && (mayRun || mayBeArmed);
     if (m_motors->property("running").toBool() != red) {
         m_motors->setProperty("running", red);
         repolish(m_motors);

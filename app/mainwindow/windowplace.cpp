@@ -46,6 +46,8 @@ void MainWindow::takePlace(const QByteArray &saved)
 {
     resize(kFirstSize.boundedTo(roomOn(screen())));
     restoreGeometry(saved);
+    // Who quit while one view had the whole screen does not begin so.
+    setWindowState(windowState() & ~Qt::WindowFullScreen);
     keepOnScreen();
 }
 

@@ -19,8 +19,10 @@ BoardNaming::BoardNaming(DeviceClient &client, BoardHistory &history, EditJourna
 
 void BoardNaming::onState(DeviceClient::State state)
 {
-    if (state == DeviceClient::State::Connecting)
+    if (state == DeviceClient::State::Connecting) {
         m_history.forgetChoice();
+        m_passing.clear();
+    }
     if (state != DeviceClient::State::Connected || m_client.address().isReplay())
         return;
     if (const auto names = m_history.checkNames(); !names)
@@ -75,6 +77,18 @@ bool BoardNaming::isNeeded() const
 QString BoardNaming::name() const
 {
     return m_history.nameOf(m_client.identity().serial);
+}
+
+QString BoardNaming::lastingKey() const
+{
+    const BoardIdentity &board = m_client.identity();
+    const auto known = m_history.acquaintance(board);
+    if (known == BoardHistory::Acquaintance::Numbered
+        || m_client.address().kind() == LinkAddress::Kind::Simulator)
+        return board.serial;
+    return known == BoardHistory::Acquaintance::Named
+        ? board.serial + u'-' + QString::fromLatin1(name().toUtf8().toHex())
+        : QString();
 }
 
 QStringList BoardNaming::names() const

@@ -22,6 +22,11 @@ public:
     [[nodiscard]] QString name() const;
     /// The boards of its family that have a name, those that look like it first.
     [[nodiscard]] QStringList names() const;
+    /// By what something that is dangerous with another board is kept about this one: its number, or its look
+    /// and the name that the operator has given it. Empty: it may be any that looks like it.
+    [[nodiscard]] QString lastingKey() const;
+    /// What is kept about such a board: until another connection is made.
+    [[nodiscard]] QHash<QByteArray, QByteArray> &untilReconnected() { return m_passing; }
     /// Key of the action that stores a name on the board; empty if it can keep none.
     [[nodiscard]] QString storeAction() const;
     /// Once for each question that the page which shows the board's snapshots has to ask.
@@ -46,5 +51,6 @@ private:
     EditJournal &m_journal;
     Notifications &m_notifications;
     bool m_asked = false;
+    QHash<QByteArray, QByteArray> m_passing;
     QSet<QString> m_later;  // boards about which it is not asked again
 };

@@ -80,9 +80,20 @@ QByteArray axesKey(const Workspace &workspace)
 CheckedDirections checkedDirections(Workspace &workspace)
 {
     const QByteArray key = axesKey(workspace);
-    return key.isEmpty() ? CheckedDirections()
-                         : CheckedDirections::decode(workspace.settings().checkedDirections(
-                             workspace.client().identity().serial, key));
+    if (key.isEmpty())
+        return {};
+    const QString board = workspace.naming().lastingKey();
+    return CheckedDirections::decode(board.isEmpty() ? workspace.naming().untilReconnected().value(key)
+                                                     : workspace.settings().checkedDirections(board, key));
+}
+
+void keepDirections(Workspace &workspace, const CheckedDirections &found)
+{
+    const QString board = workspace.naming().lastingKey();
+    if (board.isEmpty())
+        workspace.naming().untilReconnected().insert(axesKey(workspace), found.encode());
+    else
+        workspace.settings().setCheckedDirections(board, axesKey(workspace), found.encode());
 }
 
 void showAttitude(Workspace &workspace, AttitudeView &view)

@@ -24,6 +24,8 @@ class Workspace;
 [[nodiscard]] QByteArray axesKey(const Workspace &workspace);
 /// What a check of its directions has found, if there was one since that has changed.
 [[nodiscard]] CheckedDirections checkedDirections(Workspace &workspace);
+/// Keeps it for this board; until the next connection where nobody has said which one it is.
+void keepDirections(Workspace &workspace, const CheckedDirections &found);
 /// Draws the attitude as the check of directions has found it, without one as the board tells it; or says why
 /// there is none.
 void showAttitude(Workspace &workspace, AttitudeView &view);

@@ -71,6 +71,9 @@ std::optional<QDateTime> Freshness::staleSince(const QList<int> &channels) const
             return {};
         return QDateTime::currentDateTime().addMSecs(-qint64(waited * 1000.0));
     }
+    // What still trickles in from a link that is lost is not what is so now.
+    if (!m_client.isConnected())
+        newest = std::min(newest, m_connectedAt);
     const double rate = rateOf(m_client.telemetryPlan(), channels);
     const double age = seconds(Clock::now() - newest);
     if (age < std::max(kStaleSeconds, rate > 0 ? kStalePeriods / rate : 0.0))
@@ -172,6 +175,8 @@ void Freshness::watch(StaleCover &cover, const Channels &channels)
 
 void Freshness::look()
 {
+    if (m_client.isConnected())
+        m_connectedAt = Clock::now();
     m_change.look(m_client.telemetry().get(), Clock::now());
     if (const bool isFrozen = frozenSince().has_value(); std::exchange(m_isFrozen, isFrozen) != isFrozen)
         emit frozenChanged(isFrozen);

@@ -66,6 +66,7 @@ private:
     bool m_isSilent = false;
     bool m_isExcused = false;  // a job that may silence the board began while data came
     TimePoint m_heardAt{};  // or excused
+    TimePoint m_connectedAt{};  // last
     TimePoint m_dataAt{};
     QTimer m_timer;
 };

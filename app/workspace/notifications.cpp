@@ -12,6 +12,7 @@
 #include "widgets/models/numbertext.h"
 
 #include <QSysInfo>
+#include <QTime>
 
 #include <array>
 #include <utility>
@@ -52,15 +53,17 @@ Notifications::Notifications(DeviceClient &client, const ConfigurationModel &con
                    Concern::Standby);
     });
     connect(&m_client, &DeviceClient::motorsOffLate, this, [this] {
-        notify(tr("The board does not confirm yet that the motors are off; the command is repeated. Hold the "
-                  "camera."),
+        notify(tr("The board does not confirm yet that the motors are off; the command is repeated.") + u' '
+                   + (flies() ? tr("Keep away from the propellers.") : tr("Hold the camera.")),
                Notice::Attention, Concern::Motors);
     });
     connect(&m_client, &DeviceClient::motorsOffQueued, this, [this](int left) {
-        notify(tr("The board hears nothing for %n more second(s), also no stop. The stop is queued as the "
-                  "first thing that it hears then. To stop it at once, disconnect the battery.",
-                  nullptr, (left + 999) / 1000),
-               Notice::Attention, Concern::Motors);
+        const QTime heard = QTime::currentTime().addMSecs(left + 999);
+        notify(
+            tr("The board hears nothing until %1, also no stop. The stop is queued as the first thing that "
+               "it hears then. To stop it at once, disconnect the battery.")
+                .arg(heard.toString(u"HH:mm:ss"_s)),
+            Notice::Attention, Concern::Motors);
     });
     connect(&m_client, &DeviceClient::motorsOffForgone, this, [this] { settle(Concern::Motors); });
     connect(&m_client, &DeviceClient::steeringEnded, this, &Notifications::onSteeringEnded);

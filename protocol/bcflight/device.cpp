@@ -158,6 +158,18 @@ Result<Generation> Device::detect(Channel &channel)
     return isAnswered(echo).map([](bool answers) { return answers ? Generation::E : Generation::C; });
 }
 
+namespace {
+
+// As far as it can be told without risk (errata 1): C speaks as D does, and F as G.
+QString toldGeneration(Generation generation)
+{
+    return generation == Generation::C ? u"C or D"_s
+        : generation == Generation::G  ? u"F or G"_s
+                                       : generationText(generation);
+}
+
+}  // namespace
+
 Result<BoardIdentity> Device::identify(Channel &channel)
 {
     const auto generation = detect(channel);
@@ -200,7 +212,7 @@ Result<BoardIdentity> Device::identify(Channel &channel)
     identity.extra.insert(BoardIdentity::kUnnumbered, true);
     identity.extra.insert(u"name"_s, name);
     identity.extra.insert(u"port"_s, u"network"_s);
-    identity.extra.insert(u"generation"_s, generationText(m_generation));
+    identity.extra.insert(u"generation"_s, toldGeneration(m_generation));
     m_identity = identity;
     m_parameters = parametersOf(identity);
     m_adjustables.clear();

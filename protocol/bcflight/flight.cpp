@@ -9,6 +9,7 @@
 #include "protocol/session/controlstream.h"
 #include "protocol/session/stopplan.h"
 
+#include <QCoreApplication>
 #include <QCryptographicHash>
 
 #include <algorithm>
@@ -104,11 +105,13 @@ ControlFrames Device::controlFrames(const SteeringSetpoint &setpoint) const
 const char *Device::refusal() const
 {
     if (m_generation < Generation::F)
-        return "The generation of its protocol is not one that may be steered (F or G): a packet of another "
-               "one could be taken for commands.";
+        return QT_TRANSLATE_NOOP("Tables",
+                                 "The generation of its protocol is not one that may be steered (F or G): a "
+                                 "packet of another one could be taken for commands.");
     if (!m_isWhole)
-        return "Nothing is steered over TCP: if the link closes, the motors go on turning, and disarming "
-               "does not stop them. Connect by UDP to fly.";
+        return QT_TRANSLATE_NOOP("Tables",
+                                 "Nothing is steered over TCP: if the link closes, the motors go on turning, "
+                                 "and disarming does not stop them. Connect by UDP to fly.");
     return "";
 }
 

@@ -195,7 +195,7 @@ struct MessageSpec
 /// 2.5).
 [[nodiscard]] bool standsAlone(Message id);
 
-/// "G", "D to E" and the like are for people; this is one letter, "?" for Unknown.
+/// One letter; "?" for Unknown.
 [[nodiscard]] QString generationText(Generation generation);
 
 }  // namespace bcflight

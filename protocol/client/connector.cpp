@@ -135,6 +135,22 @@ QString recogniseProtocol(std::span<const Family> known, const QByteArray &heard
     return {};
 }
 
+namespace {
+
+// Those that may take another family's questions for commands are asked where the address names them.
+QString notAskedText(std::span<const Family> known, const LinkAddress &address)
+{
+    QString text;
+    for (const Family &family : known) {
+        if (family.livesOn(address.kind()) && !family.mayAskAnybody(address.kind())
+            && !address.toString().contains(u"family="_s))
+            text += u"; for %1 add ?family=%2 to the address"_s.arg(family.name, family.key);
+    }
+    return text;
+}
+
+}  // namespace
+
 Result<FoundBoard> findBoard(Channel &channel, const Family &family, Device &device,
                              std::span<const Family> known, const LinkAddress &address, Search search)
 {
@@ -207,7 +223,7 @@ Result<FoundBoard> findBoard(Channel &channel, const Family &family, Device &dev
             ErrorCode::Garbage,
             u"%1 bytes: %2"_s.arg(seen.bytesIn).arg(QString::fromLatin1(seen.lastBytes.left(16).toHex(' '))));
     if (isNetwork)
-        return failure(ErrorCode::SilentPeer, address.toString());
+        return failure(ErrorCode::SilentPeer, address.toString() + notAskedText(known, address));
     return failure(ErrorCode::Silent,
                    tried.isEmpty() ? address.toString()
                                    : u"%1; tried: %2"_s.arg(address.toString(), tried.join(u", "_s)));

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/configuration/configuration.h"
 
+#include "protocol/configuration/scriptlanguage.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -170,6 +172,20 @@ Result<void> Configuration::checkRules(const Configuration &held) const
             return failure(ErrorCode::Contradiction,
                            u"%1 = %2 and %3 = %4: %5"_s.arg(first->key, first->format(*a), second->key,
                                                             second->format(*b), QLatin1String(rule.why)));
+        }
+    }
+    for (const BlockSpec &block : m_parameters->blocks()) {
+        const QByteArray text = block.isText() && block.check ? this->block({0, block.id}) : QByteArray();
+        if (text.isEmpty() || text == held.block({0, block.id}))
+            continue;
+        if (const auto mistake = block.check(text)) {
+            const QString sentence = mistake->sentence(QString::fromUtf8(mistake->what));
+            Error error{ErrorCode::InvalidArgument, u"%1: %2"_s.arg(QLatin1String(block.data), sentence), 0};
+            if (mistake->line > 0)
+                error.detail
+                    = u"%1, line %2: %3"_s.arg(QLatin1String(block.data)).arg(mistake->line).arg(sentence);
+            error.place = TextPlace{block.id, mistake->line};
+            return tl::unexpected(error);
         }
     }
     return {};

@@ -104,7 +104,8 @@ public:
     [[nodiscard]] std::optional<double> textFigure(const ParameterSpec &spec, double raw) const;
 
     /// Whether its values can hold together. What contradicts itself already in `held` may stay as it is.
-    /// Errors: Contradiction with both parameters.
+    /// So may a text that is not valid. Errors: Contradiction with both parameters; InvalidArgument with the
+    /// place in the text.
     [[nodiscard]] Result<void> checkRules(const Configuration &held) const;
 
     /// All parameters in which the two differ, board-wide ones once. Both must have the same parameter set.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bars.h"
+#include "app/mainwindow/linkbar.h"
 #include "app/mainwindow/messagebar.h"
 #include "app/mainwindow/navigation.h"
 #include "app/pages/board/actionspage.h"
@@ -17,6 +18,7 @@
 #include "protocol/device/device.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "tests/support/patience.h"
+#include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
 #include "widgets/models/errortext.h"
 #include "widgets/theme/theme.h"
@@ -54,6 +56,8 @@ private slots:
     void noAttitudeBeforeACalibration();
     void whatItLacksIsAClickAway();
     void messagesLeaveItsStateInSight();
+    void checkedIsADroneThatIsKnown();
+    void replaysStartNoMotors();
     void anotherIsConnectedAfterOneWasLost();
     void weakLinkIsNotShownAsGood();
     void repliesAreInWords();
@@ -245,6 +249,55 @@ void TestBcflightWindow::messagesLeaveItsStateInSight()
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
         QTRY_VERIFY(!window().messageBar()->isVisible());
     }
+    // It came on a page without a state.
+    const auto placeIn
+        = [this](const QWidget &widget) { return QRect(widget.mapTo(&window(), QPoint()), widget.size()); };
+    QVERIFY(window().showPage(u"monitor"_s));
+    window().messageBar()->showNotice(u"One that stands for a while."_s, Notice::Attention);
+    QTRY_VERIFY(window().messageBar()->isVisible());
+    QVERIFY(window().showPage(u"flight"_s));
+    const auto *state = window().page(u"flight"_s)->findChild<ArmedState *>();
+    QTRY_VERIFY(state->isVisible());
+    QTRY_VERIFY(!placeIn(*window().messageBar()).intersects(placeIn(*state)));
+}
+
+// A drone has no such command, and a recording no motors.
+void TestBcflightWindow::replaysStartNoMotors()
+{
+    const QString path = m_rig->filePath(u"short.gimbalrec"_s);
+    QVERIFY(m_rig->workspace().recorder().start(path));
+    QVERIFY(m_rig->boardGoesOn(0.5));
+    m_rig->workspace().recorder().stop();
+    m_rig->client().disconnectFromBoard();
+    QVERIFY(m_rig->open(u"replay:"_s + path));
+    const QPushButton *motors = window().findChild<LinkBar *>()->motorsButton();
+    QTRY_COMPARE(m_rig->workspace().motorsRunning(), std::optional(false));
+    QVERIFY(m_rig->isSettled());
+    QTRY_VERIFY2(!motors->text().contains(u"Start"_s), qPrintable(motors->text()));
+    QVERIFY(!motors->isEnabled());
+}
+
+// Another that looks the same would be flown as if somebody had looked.
+void TestBcflightWindow::checkedIsADroneThatIsKnown()
+{
+    SimProcess drone({u"--udp"_s, u"0"_s}, u"bcflight"_s);
+    QVERIFY(!drone.address().isEmpty());
+    QVERIFY(m_rig->open(drone.address()));
+    CheckedDirections all;
+    all.level = CheckedDirections::Level::All;
+    keepDirections(m_rig->workspace(), all);
+    QCOMPARE(checkedDirections(m_rig->workspace()), all);
+    m_rig->client().disconnectFromBoard();
+    QVERIFY(m_rig->open(drone.address()));
+    QVERIFY(!axesKey(m_rig->workspace()).isEmpty());
+    QCOMPARE(checkedDirections(m_rig->workspace()).level, CheckedDirections::Level::Nothing);
+    QVERIFY(m_rig->workspace().naming().choose(u"Mine"_s));
+    keepDirections(m_rig->workspace(), all);
+    m_rig->client().disconnectFromBoard();
+    QVERIFY(m_rig->open(drone.address()));
+    QCOMPARE(checkedDirections(m_rig->workspace()), all);
+    QVERIFY(m_rig->workspace().naming().choose(u"Another"_s));
+    QCOMPARE(checkedDirections(m_rig->workspace()).level, CheckedDirections::Level::Nothing);
 }
 
 // One that does not come back keeps nobody from the next.

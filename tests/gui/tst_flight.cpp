@@ -233,6 +233,17 @@ void TestFlight::nothingIsSentBeforeTheKey()
     for (const bcflight::Controls &controls : tap.take())
         QVERIFY(!controls.arm);
     QVERIFY(!isArmed());
+    // Nor one that is let go of beside the button, without a move of the pointer.
+    const QPoint place = page().armButton()->mapTo(&window(), QPoint());
+    QTest::mousePress(page().armButton(), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(page().session().phase(), Phase::Holding, kPatience);
+    QVERIFY(m_rig->isSettled());
+    QCOMPARE(page().armButton()->mapTo(&window(), QPoint()), place);
+    QTest::mouseRelease(page().armButton(), Qt::LeftButton, {}, QPoint(-40, -40));
+    QTRY_COMPARE_WITH_TIMEOUT(page().session().phase(), Phase::Open, kPatience);
+    QVERIFY(m_rig->boardGoesOn(1.5));
+    for (const bcflight::Controls &controls : tap.take())
+        QVERIFY(!controls.arm);
 }
 
 // As an operator does it: tilt, push, arm without propellers, look, answer.
@@ -562,6 +573,15 @@ void TestFlight::armedTheKeysAreForTheSticks()
         return !sent.empty() && sent.back().roll > 0.2;
     }));
     QTest::keyRelease(QApplication::focusWidget(), Qt::Key_Right);
+    // Wherever the keyboard was.
+    page().disarmButton()->setFocus();
+    QTest::keyPress(page().disarmButton(), Qt::Key_Left);
+    QCOMPARE(QApplication::focusWidget(), page().pad());
+    QVERIFY(QTest::qWaitFor([&] {
+        const auto sent = tap.take();
+        return !sent.empty() && sent.back().roll < -0.2;
+    }));
+    QTest::keyRelease(QApplication::focusWidget(), Qt::Key_Left);
     m_rig->settings().setDisarmSeconds(2);
     QVERIFY(isSoon(m_rig->client().roles().armed, 0));
     m_rig->settings().setDisarmSeconds(20);

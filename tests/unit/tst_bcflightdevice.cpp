@@ -122,11 +122,11 @@ void TestBcflightDevice::generationsAreTold_data()
     };
     add(Generation::A, u"A"_s, false);
     add(Generation::B, u"B"_s, false);
-    add(Generation::C, u"C"_s, false);
-    add(Generation::D, u"C"_s, false);  // these two cannot be told apart
+    add(Generation::C, u"C or D"_s, false);
+    add(Generation::D, u"C or D"_s, false);  // these two cannot be told apart
     add(Generation::E, u"E"_s, false);
-    add(Generation::F, u"G"_s, true);  // they differ by one flag
-    add(Generation::G, u"G"_s, true);
+    add(Generation::F, u"F or G"_s, true);  // they differ by one flag
+    add(Generation::G, u"F or G"_s, true);
 }
 
 // Without side effects: the simulated receiver takes whatever it does not know for commands.

@@ -171,6 +171,9 @@ void BenchPage::connectAll()
     connect(&workspace().client(), &DeviceClient::progressChanged, this, &BenchPage::onProgress);
     connect(m_go, &QPushButton::clicked, this, [this] { emit actionWanted(m_lacking); });
     connect(&workspace().client(), &DeviceClient::stateChanged, this, &BenchPage::refresh);
+    // Whether it still beeps then, nobody knows.
+    connect(&workspace().client(), &DeviceClient::stateChanged, m_beepSaid, &QLabel::clear);
+    connect(&workspace().client(), &DeviceClient::motorsOffBegun, m_beepSaid, &QLabel::clear);
     connect(&workspace().client(), &DeviceClient::deafChanged, this, [this] {
         m_deafFor = seconds(this->workspace().client().deafUntil() - Clock::now());
         refreshDeaf();

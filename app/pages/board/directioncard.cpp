@@ -109,12 +109,6 @@ void DirectionCard::cancel()
     emit stepChanged();
 }
 
-void DirectionCard::keep()
-{
-    m_workspace.settings().setCheckedDirections(m_workspace.client().identity().serial, axesKey(m_workspace),
-                                                m_check->found().encode());
-}
-
 void DirectionCard::answer(bool isRight)
 {
     if (!m_check)
@@ -146,7 +140,7 @@ void DirectionCard::feed(const DirectionCheck::Axes &sticks, const Session &sess
     const bool isEnded = !m_check->step();
     const bool isNext = std::exchange(m_shownStep, m_check->stepNumber()) != m_check->stepNumber() || isEnded;
     if (isNext)
-        keep();
+        keepDirections(m_workspace, m_check->found());
     if (isEnded) {
         const auto failed = m_check->failed();
         if (failed)
@@ -176,13 +170,21 @@ QList<int> DirectionCard::asked() const
     return isAsking() ? m_check->faster() : QList<int>();
 }
 
+QString DirectionCard::checkedText() const
+{
+    return m_workspace.naming().lastingKey().isEmpty()
+        ? tr("Checked, until another connection is made: it has no serial number. With a name (Backups) it "
+             "is kept.")
+        : tr("Checked with this drone and this configuration.");
+}
+
 void DirectionCard::show()
 {
     using Level = CheckedDirections::Level;
     const Level level = found().level;
     m_what->setText(
         m_check                   ? instruction()
-            : level == Level::All ? tr("Checked with this drone and this configuration.")
+            : level == Level::All ? checkedText()
             : level == Level::Signs
             ? tr("Angles and sticks are checked; what the motors answer is not.")
             : tr("Not checked. Nothing tells the program which way this drone counts its axes, so "

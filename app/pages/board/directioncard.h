@@ -52,8 +52,8 @@ signals:
 private:
     [[nodiscard]] bool isAsking() const;
     void show();
+    [[nodiscard]] QString checkedText() const;
     void answer(bool isRight);
-    void keep();
     [[nodiscard]] QString sees() const;
     [[nodiscard]] QString question() const;
 

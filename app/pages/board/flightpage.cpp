@@ -123,8 +123,6 @@ void FlightPage::makeBody()
     m_why->setObjectName(u"muted"_s);
     auto *state = new Card(tr("State"));
     state->content()->addWidget(m_tile);
-    state->content()->addWidget(m_why);
-    state->content()->addWidget(m_calibrate, 0, Qt::AlignLeft);
     m_held->setTextVisible(false);
     m_held->setMaximum(kFullStick);
     m_held->setFixedHeight(kHeldHeight);
@@ -141,7 +139,10 @@ void FlightPage::makeBody()
     keys->addWidget(m_arm, 0, 0);
     keys->addWidget(m_disarm, 0, 1);
     keys->addWidget(m_held, 1, 0, 1, 2);
+    // Above what is said, which changes its height: a button that is held stays where it is.
     state->content()->addLayout(keys);
+    state->content()->addWidget(m_why);
+    state->content()->addWidget(m_calibrate, 0, Qt::AlignLeft);
     // What stops it stands first; what may take more room than there is has a bar of its own.
     auto *more = new FlightCards;
     auto *rest = new QVBoxLayout(more);
@@ -348,6 +349,9 @@ void FlightPage::release()
 void FlightPage::tick()
 {
     const TimePoint now = Clock::now();
+    // A button that has moved from under the pointer comes up without a word (QAbstractButton).
+    if (!m_arm->isDown() && !m_gamepad->isArmHeld())
+        release();
     const auto pushed = m_gamepad->isChosen() ? m_gamepad->seen().sticks : m_pushedBefore;
     if (m_steps->isRunning() || std::exchange(m_pushedBefore, pushed) != pushed)
         touch();
@@ -544,6 +548,8 @@ bool FlightPage::eventFilter(QObject *watched, QEvent *event)
     }
     if (event->type() == QEvent::WindowDeactivate)
         disarm(ArmingBar::Focus);
+    if (isKey && watched != m_pad && givesToPad(*static_cast<QKeyEvent *>(event)))
+        return true;
     return Page::eventFilter(watched, event);
 }
 

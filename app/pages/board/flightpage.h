@@ -86,6 +86,8 @@ private:
     void showNow();
     void showState();
     void touch() { m_touched.start(); }
+    /// Arrow keys are the sticks', wherever on the page the focus was.
+    bool givesToPad(QKeyEvent &event);
     [[nodiscard]] bool handleKey(const QKeyEvent &event, bool isDown);
     [[nodiscard]] const Steering *steering() const;
     [[nodiscard]] ArmingSession::Known known() const;

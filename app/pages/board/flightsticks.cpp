@@ -7,8 +7,11 @@
 #include "app/pages/board/stickstepcard.h"
 #include "widgets/views/controlpad.h"
 
+#include <QAbstractSpinBox>
+#include <QApplication>
 #include <QCheckBox>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QSlider>
 
 #include <algorithm>
@@ -89,6 +92,18 @@ void FlightPage::climb(TimePoint now)
     m_throttle->setValue(m_throttle->value() + whole);
 }
 
+bool FlightPage::givesToPad(QKeyEvent &event)
+{
+    const bool isArrow = event.key() >= Qt::Key_Left && event.key() <= Qt::Key_Down;
+    const bool isTyped = qobject_cast<QLineEdit *>(QApplication::focusWidget())
+        || qobject_cast<QAbstractSpinBox *>(QApplication::focusWidget());
+    if (!isArrow || isTyped || !m_pad->isEnabled())
+        return false;
+    m_pad->setFocus(Qt::OtherFocusReason);
+    QCoreApplication::sendEvent(m_pad, &event);
+    return true;
+}
+
 bool FlightPage::handleKey(const QKeyEvent &event, bool isDown)
 {
     const int turn = isDown ? kFullStick / 2 : 0;
@@ -114,7 +129,8 @@ bool FlightPage::handleKey(const QKeyEvent &event, bool isDown)
 
 void FlightPage::keyPressEvent(QKeyEvent *event)
 {
-    if (!(m_session.isArming() || m_directions->isChecking()) || !handleKey(*event, true))
+    if (!givesToPad(*event)
+        && (!(m_session.isArming() || m_directions->isChecking()) || !handleKey(*event, true)))
         Page::keyPressEvent(event);
 }
 

@@ -38,6 +38,8 @@ public:
     [[nodiscard]] std::optional<GamepadSnapshot> sticks();
     /// As it was polled last, whether it steers or not.
     [[nodiscard]] GamepadSnapshot seen() const { return m_gamepad.snapshot(); }
+    /// The button to arm with is held.
+    [[nodiscard]] bool isArmHeld() const { return m_isHeld; }
     /// Whether steering has begun with this pad, and it has not been plugged in anew.
     [[nodiscard]] bool isSteeredBy(const GamepadSnapshot &pad) const { return m_session == pad.session; }
 
