@@ -243,8 +243,13 @@ public:
         QStringList skipped = file->unknownKeys;
         const Configuration edited = applied(*base, *file, skipped);
         Result<CommandOutcome> outcome = CommandOutcome();
-        if (const auto checked = edited.checkRules(*base); !checked)
-            return tl::unexpected(checked.error());
+        if (const auto checked = edited.checkRules(*base); !checked) {
+            if (!checked.error().place)
+                return tl::unexpected(checked.error());
+            outcome->exitCode = Refused;  // the file's fault, not that of the command line
+            outcome->note = checked.error().detail;
+            return outcome;
+        }
         QSet<QString> wanted;
         for (const ParameterChange &change : base->changesTo(edited))
             wanted.insert(change.spec->key);

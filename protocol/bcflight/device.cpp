@@ -72,6 +72,14 @@ QString textOf(const Frame &frame)
     return QString::fromUtf8(frame.payload.left(frame.payload.indexOf('\0')));
 }
 
+// As far as it can be told without risk (errata 1): C speaks as D does, and F as G.
+QString toldGeneration(Generation generation)
+{
+    return generation == Generation::C ? u"C or D"_s
+        : generation == Generation::G  ? u"F or G"_s
+                                       : generationText(generation);
+}
+
 }  // namespace
 
 Device::Device() = default;
@@ -157,18 +165,6 @@ Result<Generation> Device::detect(Channel &channel)
     // C and D cannot be told apart without risk.
     return isAnswered(echo).map([](bool answers) { return answers ? Generation::E : Generation::C; });
 }
-
-namespace {
-
-// As far as it can be told without risk (errata 1): C speaks as D does, and F as G.
-QString toldGeneration(Generation generation)
-{
-    return generation == Generation::C ? u"C or D"_s
-        : generation == Generation::G  ? u"F or G"_s
-                                       : generationText(generation);
-}
-
-}  // namespace
 
 Result<BoardIdentity> Device::identify(Channel &channel)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/configuration/configuration.h"
 
-#include "protocol/configuration/scriptlanguage.h"
+#include "protocol/configuration/scriptmistake.h"
 
 #include <algorithm>
 #include <cmath>

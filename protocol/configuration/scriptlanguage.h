@@ -3,20 +3,8 @@
 #pragma once
 
 #include "protocol/configuration/configuration.h"
+#include "protocol/configuration/scriptmistake.h"
 
-/// An error in the text of a script.
-struct ScriptMistake
-{
-    int script = 0;  ///< from 0
-    int line = 0;  ///< from 1; 0 if it concerns the whole script
-    const char *what = "";  ///< a text of the tables, with placeholders for the values
-    QStringList values;
-
-    /// The sentence with its values filled in. @param pattern `what`, possibly translated
-    [[nodiscard]] QString sentence(const QString &pattern) const;
-    /// "script 2, line 3: 'FLY' is not a statement", as an error.
-    [[nodiscard]] Error error() const;
-};
 using CompiledScripts = tl::expected<QByteArray, ScriptMistake>;
 
 /// The programs that boards of a family store in a data block: text for the operator, code for the board.

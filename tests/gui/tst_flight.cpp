@@ -7,6 +7,7 @@
 #include "app/pages/board/flightpage.h"
 #include "app/pages/board/stickstepcard.h"
 #include "app/pages/watch/dashboardpage.h"
+#include "app/workspace/flightstate.h"
 #include "protocol/base/framelistener.h"
 #include "protocol/bcflight/device.h"
 #include "protocol/bcflight/payloads.h"
@@ -139,9 +140,9 @@ private:
     /// Says that all directions were found right.
     void trust()
     {
-        const auto &board = std::as_const(m_rig->model()).board();
-        m_rig->settings().setCheckedDirections(m_rig->client().identity().serial,
-                                               m_rig->client().device()->flight()->axesKey(board), "2++++++");
+        CheckedDirections all;
+        all.level = CheckedDirections::Level::All;
+        keepDirections(m_rig->workspace(), all);
     }
     bool calibrate();
     bool arm(bool held = true);

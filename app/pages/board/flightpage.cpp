@@ -186,6 +186,9 @@ Card *FlightPage::makeStickCard()
     m_throttleText->setMinimumWidth(56);
     m_pad->setLabels(axisLabel(Axis::Roll), axisLabel(Axis::Pitch));
     m_yaw->setRange(-kFullStick, kFullStick);
+    // A click does not take the arrow keys from the pad.
+    for (QSlider *slider : {m_throttle, m_yaw})
+        slider->setFocusPolicy(Qt::TabFocus);
     m_yaw->setAccessibleName(axisLabel(Axis::Yaw));
     auto *sticks = new Card(tr("Sticks"));
     auto *grid = new QGridLayout;

@@ -86,7 +86,7 @@ private:
     void showNow();
     void showState();
     void touch() { m_touched.start(); }
-    /// Arrow keys are the sticks', wherever on the page the focus was.
+    /// Arrow keys are the sticks', wherever on the page the focus was but in what uses them itself.
     bool givesToPad(QKeyEvent &event);
     [[nodiscard]] bool handleKey(const QKeyEvent &event, bool isDown);
     [[nodiscard]] const Steering *steering() const;

@@ -95,9 +95,10 @@ void FlightPage::climb(TimePoint now)
 bool FlightPage::givesToPad(QKeyEvent &event)
 {
     const bool isArrow = event.key() >= Qt::Key_Left && event.key() <= Qt::Key_Down;
-    const bool isTyped = qobject_cast<QLineEdit *>(QApplication::focusWidget())
-        || qobject_cast<QAbstractSpinBox *>(QApplication::focusWidget());
-    if (!isArrow || isTyped || !m_pad->isEnabled())
+    const QWidget *focus = QApplication::focusWidget();
+    const bool isItsOwn = qobject_cast<const QLineEdit *>(focus)
+        || qobject_cast<const QAbstractSpinBox *>(focus) || qobject_cast<const QSlider *>(focus);
+    if (!isArrow || isItsOwn || !m_pad->isEnabled())
         return false;
     m_pad->setFocus(Qt::OtherFocusReason);
     QCoreApplication::sendEvent(m_pad, &event);
