@@ -162,7 +162,14 @@ void Tour::addTextSteps(const QString &family)
                     {},
                     true});
     m_steps.append({family + u"-text-review"_s,
-                    [this] { m_window.review(); },
+                    // One that is valid: the other is not even reviewed.
+                    [this, documents] {
+                        m_window.workspace().edits().discardAll();
+                        documents()->showDifference(false);
+                        documents()->editor()->goToLine(1);
+                        documents()->editor()->insert(u"-- quieter yaw\n"_s);
+                        m_window.review();
+                    },
                     [this] { return m_window.reviewDialog() != nullptr; },
                     500,
                     {},
