@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bars.h"
+#include "app/mainwindow/messagebar.h"
 #include "app/mainwindow/navigation.h"
 #include "app/pages/setup/documentspage.h"
 #include "app/pages/setup/parameterspage.h"
@@ -113,6 +114,10 @@ void TestBcflightText::mistakeIsMarkedAndReached()
     editor->getCursorPosition(&line, &column);
     QCOMPARE(line, 2);
     QVERIFY(editor->hasFocus());
+    // It is not even reviewed.
+    m_rig->window().review();
+    QVERIFY(!m_rig->window().reviewDialog());
+    QTRY_VERIFY(m_rig->window().messageBar()->text().contains(u"line 3"_s));
     // Undone as one step; the mark goes with it.
     QTest::keyClick(editor, Qt::Key_Z, Qt::ControlModifier);
     QTRY_VERIFY(says(documents, u"Valid Lua"_s));

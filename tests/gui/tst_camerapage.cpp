@@ -297,7 +297,10 @@ void TestCameraPage::fullScreenEndsWithItsPage()
         QVERIFY(m_page);
         QVERIFY(!m_rig->window().isFullScreen());
     }
+    QVERIFY(m_rig->window().isFullScreen());
+    m_rig->window().close();
     m_rig->restart();
+    QVERIFY(!m_rig->window().isFullScreen());
 }
 
 void TestCameraPage::fullScreenFitsASmallScreen()
