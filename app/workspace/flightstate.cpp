@@ -61,13 +61,6 @@ ArmedState::State flightState(const Workspace &workspace)
                                freshlyTold(workspace, roles.outputs));
 }
 
-double flightAngle(const Workspace &workspace, std::size_t axis)
-{
-    const ChannelRoles &roles = workspace.roles();
-    return freshlyTold(workspace, roles.calibrated).value_or(false) ? workspace.latest(roles.angle[axis])
-                                                                    : qQNaN();
-}
-
 QByteArray axesKey(const Workspace &workspace)
 {
     const DeviceClient &client = workspace.client();
@@ -96,18 +89,36 @@ void keepDirections(Workspace &workspace, const CheckedDirections &found)
         workspace.settings().setCheckedDirections(board, axesKey(workspace), found.encode());
 }
 
+namespace {
+
+// NaN before a calibration, when the board tells 0 or what it was long ago.
+double flightAngle(const Workspace &workspace, std::size_t axis)
+{
+    const ChannelRoles &roles = workspace.roles();
+    return freshlyTold(workspace, roles.calibrated).value_or(false) ? workspace.latest(roles.angle[axis])
+                                                                    : qQNaN();
+}
+
+}  // namespace
+
+std::array<double, kAxisCount> shownAngles(Workspace &workspace)
+{
+    // Found is what grows with the nose down; a horizon is drawn by what grows with the nose up.
+    const CheckedDirections found = checkedDirections(workspace);
+    const bool isFound = found.level != CheckedDirections::Level::Nothing;
+    const double up = isFound ? -found.angles[1] : 1;
+    return {found.angles[0] * flightAngle(workspace, 0), up * flightAngle(workspace, 1),
+            found.angles[2] * flightAngle(workspace, 2)};
+}
+
 void showAttitude(Workspace &workspace, AttitudeView &view)
 {
     view.setPlaceholder(
         flightState(workspace) == ArmedState::State::NotCalibrated
             ? QCoreApplication::translate("Workspace", "It tells no attitude before a calibration")
             : QCoreApplication::translate("Workspace", "No attitude yet"));
-    // Found is what grows with the nose down; a horizon is drawn by what grows with the nose up.
-    const CheckedDirections found = checkedDirections(workspace);
-    const bool isFound = found.level != CheckedDirections::Level::Nothing;
-    const double up = isFound ? -found.angles[1] : 1;
-    view.setAttitude(found.angles[0] * flightAngle(workspace, 0), up * flightAngle(workspace, 1),
-                     found.angles[2] * flightAngle(workspace, 2));
+    const auto angles = shownAngles(workspace);
+    view.setAttitude(angles[0], angles[1], angles[2]);
 }
 
 int motorCount(const Workspace &workspace)

@@ -17,8 +17,6 @@ class Workspace;
 [[nodiscard]] std::optional<bool> freshlyTold(const Workspace &workspace, int channel);
 /// When a channel was told last to be 0, not before `since`; TimePoint{}: it was not.
 [[nodiscard]] TimePoint lastToldZero(const Workspace &workspace, int channel, TimePoint since);
-/// An angle of its attitude; NaN before a calibration, when the board tells 0 or what it was long ago.
-[[nodiscard]] double flightAngle(const Workspace &workspace, std::size_t axis);
 /// What decides how the board shown counts its axes (FlyingMachine::axesKey); empty: nothing flies, or
 /// nothing was read.
 [[nodiscard]] QByteArray axesKey(const Workspace &workspace);
@@ -26,8 +24,10 @@ class Workspace;
 [[nodiscard]] CheckedDirections checkedDirections(Workspace &workspace);
 /// Keeps it for this board; until the next connection where nobody has said which one it is.
 void keepDirections(Workspace &workspace, const CheckedDirections &found);
-/// Draws the attitude as the check of directions has found it, without one as the board tells it; or says why
-/// there is none.
+/// Degrees as the check of directions has found them: to the right, nose up, turned to the right; without one
+/// as the board tells them. NaN: not known.
+[[nodiscard]] std::array<double, kAxisCount> shownAngles(Workspace &workspace);
+/// Draws them, or says why there are none.
 void showAttitude(Workspace &workspace, AttitudeView &view);
 /// How many numbered motors the board has reported so far; 0: it has not.
 [[nodiscard]] int motorCount(const Workspace &workspace);

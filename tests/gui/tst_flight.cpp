@@ -25,9 +25,11 @@
 
 #include <QAbstractButton>
 #include <QCheckBox>
+#include <QLabel>
 #include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QThread>
@@ -544,6 +546,15 @@ void TestFlight::horizonIsDrawnAsFound()
         const QString said = view->accessibleDescription();
         return said.section(u"pitch "_s, 1).section(u'°', 0, 0).replace(u'−', u'-').toDouble();
     };
+    // The figures beneath it say the same.
+    const auto told = [this] {
+        static const QRegularExpression pitch(u"Pitch</td><td[^>]*>([^ ]+)"_s);
+        for (const QLabel *label : page().findChildren<QLabel *>()) {
+            if (const auto found = pitch.match(label->text()); found.hasMatch())
+                return found.captured(1).replace(u'−', u'-').toDouble();
+        }
+        return 0.0;
+    };
     for (const bool growsDown : {true, false}) {
         m_rig->settings().setCheckedDirections(
             m_rig->client().identity().serial,
@@ -553,6 +564,7 @@ void TestFlight::horizonIsDrawnAsFound()
         const bool isDown = growsDown != isNegative;
         QTRY_VERIFY2_WITH_TIMEOUT(isDown ? drawn() < -20 : drawn() > 20,
                                   qPrintable(view->accessibleDescription()), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(isDown ? told() < -20 : told() > 20, kPatience);
     }
     pose(1);
     trust();
