@@ -4416,7 +4416,7 @@
     </message>
     <message>
         <source>For experts, in a test stand: gains that are set go to the drone while its motors turn. Without it, setting one disarms first.</source>
-        <translation>Für Erfahrene, im Prüfstand: Reglerwerte gehen zur Drohne, während ihre Motoren drehen. Ohne das entschärft das Setzen zuerst.</translation>
+        <translation>Für Erfahrene, im Teststand: Reglerwerte gehen zur Drohne, während ihre Motoren drehen. Ohne das entschärft das Setzen zuerst.</translation>
     </message>
     <message>
         <source>State</source>
@@ -4472,7 +4472,7 @@
     </message>
     <message>
         <source>It is held in a test stand</source>
-        <translation>Sie wird in einem Prüfstand gehalten</translation>
+        <translation>Sie wird in einem Teststand gehalten</translation>
     </message>
     <message>
         <source>Do not open</source>
@@ -4484,7 +4484,7 @@
     </message>
     <message>
         <source>A wrong gain makes it swing at once, with its propellers turning. Only in a test stand that holds it, with nobody near.</source>
-        <translation>Ein falscher Reglerwert lässt sie sofort schwingen, mit drehenden Propellern. Nur in einem Prüfstand, der sie hält, und wenn niemand in der Nähe ist.</translation>
+        <translation>Ein falscher Reglerwert lässt sie sofort schwingen, mit drehenden Propellern. Nur in einem Teststand, der sie hält, und wenn niemand in der Nähe ist.</translation>
     </message>
     <message>
         <source>It is held: allow it</source>
@@ -7760,7 +7760,7 @@ dieses zeigen.</translation>
     </message>
     <message>
         <source>⚠ Some of these values are in the risk class: with a wrong one the drone swings at once when it is armed. Try them with the propellers off, or in a test stand.</source>
-        <translation>⚠ Einige dieser Werte gehören zur Risikoklasse: mit einem falschen pendelt die Drohne sofort, wenn sie scharf ist. Mit abgenommenen Propellern oder im Prüfstand ausprobieren.</translation>
+        <translation>⚠ Einige dieser Werte gehören zur Risikoklasse: mit einem falschen pendelt die Drohne sofort, wenn sie scharf ist. Mit abgenommenen Propellern oder im Teststand ausprobieren.</translation>
     </message>
 </context>
 <context>
@@ -9047,7 +9047,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Pushes the stick of this axis to both sides by turns, for some seconds. Give it throttle first. A stand has to hold it.</source>
-        <translation>Drückt den Knüppel dieser Achse einige Sekunden lang abwechselnd nach beiden Seiten. Vorher Gas geben. Ein Prüfstand muss sie halten.</translation>
+        <translation>Drückt den Knüppel dieser Achse einige Sekunden lang abwechselnd nach beiden Seiten. Vorher Gas geben. Ein Teststand muss sie halten.</translation>
     </message>
     <message>
         <source>Time (s)</source>
