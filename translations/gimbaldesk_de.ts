@@ -5932,8 +5932,8 @@
         <translation>Die Drohne meldet ihre Motoren noch nicht.</translation>
     </message>
     <message>
-        <source>over %1 %</source>
-        <translation>über %1 %</translation>
+        <source>&gt; %1 %</source>
+        <translation>&gt; %1 %</translation>
     </message>
     <message>
         <source>asked about</source>

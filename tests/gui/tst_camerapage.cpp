@@ -266,6 +266,11 @@ void TestCameraPage::fullScreenLeavesTheRedButton()
     QVERIFY(!m_page->fullView()->isOn());
     QTest::mouseClick(m_page->fullButton(), Qt::LeftButton);
     QVERIFY(m_page->fullView()->isOn());
+    // What a stop has to say is not said behind the picture.
+    QTest::mouseClick(motors, Qt::LeftButton);
+    QTRY_VERIFY(!m_page->fullView()->isOn());
+    QTest::mouseClick(m_page->fullButton(), Qt::LeftButton);
+    QVERIFY(m_page->fullView()->isOn());
     QVERIFY(m_rig->window().showPage(u"monitor"_s));
     QVERIFY(!m_page->fullView()->isOn() && !m_rig->window().isFullScreen());
     QCOMPARE(view->parentWidget(), place);

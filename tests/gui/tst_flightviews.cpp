@@ -213,7 +213,7 @@ void TestFlightViews::outputsAreDrawn()
     QVERIFY(diagram.accessibleDescription().contains(u"motor 1: 60 %"_s));
     // More than all is told as more than all, and the one under test has another colour.
     QVERIFY(filled({140, 0, 0, 0}, ColorRole::Warning) > more);
-    QCOMPARE(diagram.outputText(1), u"over 100 %"_s);
+    QCOMPARE(diagram.outputText(1), u"> 100 %"_s);
     QCOMPARE(filled({5, 0, 0, 0}, ColorRole::Warning), 0);
     diagram.setTested(1);
     QVERIFY(filled({5, 0, 0, 0}, ColorRole::Warning) > 20);

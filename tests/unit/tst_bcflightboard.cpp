@@ -604,7 +604,7 @@ void TestBcflightBoard::camerasAreThereOrNot()
     QCOMPARE(none.answer(Message::GetCamerasInfos), QByteArray("nil\0", 4));
     // Built without video it tells of neither (6.2).
     QVERIFY(rig.answer(Message::GetSensorsInfos) && rig.answer(Message::GetCamerasInfos));
-    Rig plain{Generation::G, {{QLatin1String(Drone::kVideo), 0}}};
+    Rig plain{Generation::G, {{QLatin1String(Drone::kVideoless), 1}}};
     plain.connect();
     QVERIFY(!plain.answer(Message::GetSensorsInfos));
     QVERIFY(!plain.answer(Message::GetCamerasInfos));

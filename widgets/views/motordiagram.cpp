@@ -130,7 +130,7 @@ QString MotorDiagram::outputText(int motor) const
         return u"–"_s;
     // More than a motor can is what the drone would like (errata 6.3).
     return std::abs(percent) < kTold ? tr("stands")
-        : percent > kMost            ? tr("over %1 %").arg(numberText(kMost, 0))
+        : percent > kMost            ? tr("> %1 %").arg(numberText(kMost, 0))
                                      : tr("%1 %").arg(numberText(percent, 0));
 }
 

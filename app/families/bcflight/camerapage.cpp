@@ -165,6 +165,7 @@ void CameraPage::connectAll()
     connect(m_address, &QLineEdit::editingFinished, this, &CameraPage::takeAddress);
     connect(&workspace().client(), &DeviceClient::stateChanged, this, &CameraPage::follow);
     // What has to be seen is not seen behind the picture.
+    connect(&workspace().client(), &DeviceClient::motorsOffBegun, this, [this] { m_fullView->setOn(false); });
     connect(&workspace().alarms(), &Alarms::changed, this, [this] {
         if (!workspace().alarms().pressing().isEmpty())
             m_fullView->setOn(false);

@@ -303,14 +303,14 @@ QString DirectionCard::sees() const
         return question() + u' '
             + tr("Look at the drone: places and directions in the picture are those of the text, and are "
                  "being checked now.");
+    const QString again = m_check->isArmedStep() && m_check->isContradicted()
+        ? tr("That contradicts what was answered before: a motor has one place and turns one way. These axes "
+             "are asked again.")
+            + u' '
+        : QString();
     if (const QString text = lacking(); !text.isEmpty())
-        return text;
+        return again + text;
     if (m_check->isArmedStep()) {
-        const QString again = m_check->isContradicted()
-            ? tr("That contradicts what was answered before: a motor has one place and turns one way. These "
-                 "axes are asked again.")
-                + u' '
-            : QString();
         return again
             + (m_check->isReady()
                    ? tr("No motor turns faster than the others yet.")

@@ -40,6 +40,7 @@ constexpr auto kFlightPeriod = 20ms;
 constexpr auto kFlightRefresh = 100ms;
 constexpr int kTellGuardEvery = 5;  // set-points
 constexpr int kHeldHeight = 6;
+constexpr int kWhyLines = 3;
 
 /// Takes the height there is: with texts that wrap, a scroll area would give it all that it would like.
 class FlightCards final : public QWidget
@@ -121,6 +122,9 @@ void FlightPage::makeBody()
 {
     m_why->setWordWrap(true);
     m_why->setObjectName(u"muted"_s);
+    // What stands beneath stays where it is, whatever is said.
+    m_why->setAlignment(Qt::AlignTop);
+    m_why->setMinimumHeight(kWhyLines * m_why->fontMetrics().lineSpacing());
     auto *state = new Card(tr("State"));
     state->content()->addWidget(m_tile);
     m_held->setTextVisible(false);

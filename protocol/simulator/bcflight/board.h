@@ -20,7 +20,7 @@ public:
     /// Options of this family: names and defaults.
     static constexpr const char *kGeneration = "generation";  ///< 1 to 7, A to G
     static constexpr const char *kCamera = "camera";
-    static constexpr const char *kVideo = "video";  ///< its program was built with it (6.2)
+    static constexpr const char *kVideoless = "videoless";  ///< so its program was built (6.2)
     static constexpr const char *kFrameRate = "frames";  ///< of the camera, per second
     static constexpr const char *kJpegs = "mjpeg";
     static constexpr const char *kTransmitter = "vtx";

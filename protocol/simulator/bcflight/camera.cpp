@@ -17,7 +17,7 @@ constexpr int kIsoStep = 100;
 
 bool SimulatedBoard::hasVideo() const
 {
-    return m_options.own.value(QLatin1String(kVideo), 1) != 0;
+    return m_options.own.value(QLatin1String(kVideoless), 0) == 0;
 }
 
 bool SimulatedBoard::hasCamera() const
