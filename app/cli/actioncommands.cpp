@@ -19,7 +19,7 @@ const QString kStopKey = u"motors.off"_s;
 // What another ground streams arms again within a period of it.
 constexpr auto kLookEvery = 50ms;
 constexpr auto kStaysFor = 300ms;  // disarmed: nobody streams
-constexpr auto kLookOn = 1500ms;  // at most; who steered it may need a moment to let go
+constexpr auto kLookOn = 3s;  // at most: who steered it may need a moment to let go, and takes answers away
 
 /// Looks on after a stop that was proven, on the worker: whether the machine is armed again. Errors: Timeout
 /// where it fell silent, those of the channel.
