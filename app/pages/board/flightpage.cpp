@@ -556,7 +556,7 @@ bool FlightPage::eventFilter(QObject *watched, QEvent *event)
     }
     if (event->type() == QEvent::WindowDeactivate)
         disarm(ArmingBar::Focus);
-    if (isKey && watched != m_pad && givesToPad(*static_cast<QKeyEvent *>(event)))
+    if (isKey && watched != m_pad && givesToPad(watched, *static_cast<QKeyEvent *>(event)))
         return true;
     return Page::eventFilter(watched, event);
 }

@@ -8,8 +8,8 @@
 #include "widgets/views/controlpad.h"
 
 #include <QAbstractSpinBox>
-#include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QSlider>
@@ -92,12 +92,11 @@ void FlightPage::climb(TimePoint now)
     m_throttle->setValue(m_throttle->value() + whole);
 }
 
-bool FlightPage::givesToPad(QKeyEvent &event)
+bool FlightPage::givesToPad(const QObject *to, QKeyEvent &event)
 {
     const bool isArrow = event.key() >= Qt::Key_Left && event.key() <= Qt::Key_Down;
-    const QWidget *focus = QApplication::focusWidget();
-    const bool isItsOwn = qobject_cast<const QLineEdit *>(focus)
-        || qobject_cast<const QAbstractSpinBox *>(focus) || qobject_cast<const QSlider *>(focus);
+    const bool isItsOwn = qobject_cast<const QLineEdit *>(to) || qobject_cast<const QAbstractSpinBox *>(to)
+        || qobject_cast<const QSlider *>(to) || qobject_cast<const QComboBox *>(to);
     if (!isArrow || isItsOwn || !m_pad->isEnabled())
         return false;
     m_pad->setFocus(Qt::OtherFocusReason);
@@ -130,7 +129,7 @@ bool FlightPage::handleKey(const QKeyEvent &event, bool isDown)
 
 void FlightPage::keyPressEvent(QKeyEvent *event)
 {
-    if (!givesToPad(*event)
+    if (!givesToPad(this, *event)
         && (!(m_session.isArming() || m_directions->isChecking()) || !handleKey(*event, true)))
         Page::keyPressEvent(event);
 }
