@@ -78,9 +78,6 @@ void CameraPage::makeLeft()
     auto *buttons = new QHBoxLayout;
     buttons->setSpacing(Metric::kGap / 2);
     m_record->setToolTip(tr("Saves the video as it comes, without encoding it again (Matroska)"));
-    // What stands beside it stays where it is.
-    QPushButton longest(tr("Stop recording"));
-    m_record->setMinimumWidth(std::max(m_record->sizeHint().width(), longest.sizeHint().width()));
     buttons->addWidget(m_record);
     buttons->addWidget(m_still);
     buttons->addWidget(m_full);
