@@ -464,9 +464,11 @@ void TestBcflightDay::checkDirections()
         QTest::keyClick(page.throttle(), Qt::Key_PageUp);
     for (const int tilted : kTilted) {
         const int before = step();
-        QTRY_VERIFY(ready());
+        QTRY_VERIFY2_WITH_TIMEOUT(
+            ready(), qPrintable(u"step %1: %2 %3"_s.arg(before).arg(page.stateText(), card->instruction())),
+            kPatience);
         pose(tilted);
-        QTRY_VERIFY(card->yesButton()->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(card->yesButton()->isVisible(), kPatience);
         click(card->yesButton());
         QTRY_COMPARE(step(), before + 1);
         pose(1);
@@ -474,17 +476,17 @@ void TestBcflightDay::checkDirections()
         QTest::keyClick(page.throttle(), before % 2 ? Qt::Key_Up : Qt::Key_Down);  // somebody is there
     }
     for (int axis = 0; axis < 3; ++axis) {
-        QTRY_VERIFY(ready());
+        QTRY_VERIFY_WITH_TIMEOUT(ready(), kPatience);
         push(axis, true);
-        QTRY_VERIFY(card->yesButton()->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(card->yesButton()->isVisible(), kPatience);
         // On this drone yaw is counted the other way round: the stick is reversed, then it is right.
         if (axis == 2) {
             click(card->noButton());
             QTRY_VERIFY(!card->check() || card->check()->found().sticks[2] == -1);
             push(axis, false);
-            QTRY_VERIFY(ready());
+            QTRY_VERIFY_WITH_TIMEOUT(ready(), kPatience);
             push(axis, true);
-            QTRY_VERIFY(card->yesButton()->isVisible());
+            QTRY_VERIFY_WITH_TIMEOUT(card->yesButton()->isVisible(), kPatience);
         }
         click(card->yesButton());
         push(axis, false);
