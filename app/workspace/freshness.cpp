@@ -72,7 +72,7 @@ std::optional<QDateTime> Freshness::staleSince(const QList<int> &channels) const
         return QDateTime::currentDateTime().addMSecs(-qint64(waited * 1000.0));
     }
     // What still trickles in from a link that is lost is not what is so now.
-    if (!m_client.isConnected())
+    if (!m_client.isConnected() && m_connectedAt != TimePoint{})
         newest = std::min(newest, m_connectedAt);
     const double rate = rateOf(m_client.telemetryPlan(), channels);
     const double age = seconds(Clock::now() - newest);

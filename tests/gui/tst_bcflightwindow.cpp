@@ -205,7 +205,7 @@ void TestBcflightWindow::noAttitudeBeforeACalibration()
     const auto *view = page.findChild<AttitudeView *>();
     QVERIFY(view);
     QCOMPARE(view->accessibleDescription(), u"No data"_s);
-    QVERIFY(std::isnan(flightAngle(m_rig->workspace(), 0)));
+    QVERIFY(std::isnan(shownAngles(m_rig->workspace())[0]));
 }
 
 // What has to be done first is named where it is lacking, with the way there.

@@ -548,9 +548,9 @@ void TestFlight::horizonIsDrawnAsFound()
     };
     // The figures beneath it say the same.
     const auto told = [this] {
-        static const QRegularExpression pitch(u"Pitch</td><td[^>]*>([^ ]+)"_s);
+        static const QRegularExpression row(u"Pitch</td><td[^>]*>([^ ]+)"_s);
         for (const QLabel *label : page().findChildren<QLabel *>()) {
-            if (const auto found = pitch.match(label->text()); found.hasMatch())
+            if (const auto found = row.match(label->text()); found.hasMatch())
                 return found.captured(1).replace(u'−', u'-').toDouble();
         }
         return 0.0;
