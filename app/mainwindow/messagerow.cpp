@@ -79,7 +79,8 @@ void MessageRow::setText(const ErrorText &text)
             html += u' ' + part.toHtmlEscaped();
     }
     m_text->setText(html);
-    m_detail->setText(text.detail);
-    m_more->setVisible(!text.detail.isEmpty());
+    m_detail->setText(text.detail.trimmed());
+    m_more->setVisible(!m_detail->text().isEmpty());
+    m_detail->setVisible(!m_detail->text().isEmpty() && m_more->isChecked());
     m_copy->setVisible(!m_kind);
 }

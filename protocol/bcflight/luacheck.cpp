@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 
+#include <array>
 #include <luajit-2.1/lua.hpp>
 #include <memory>
 
@@ -22,16 +23,61 @@ ScriptMistake mistakeAt(const QByteArray &text, qsizetype position, const char *
     return {0, lineAt(text, position), what, {}};
 }
 
-// "line:12: '=' expected near 'x'".
+// What the compiler says (LuaJIT 2.1, lj_errmsg.h), with or without the place: "… near 'x'". What is not here
+// stays in its own words.
+struct Saying
+{
+    const char *form;  // a regular expression for the whole
+    const char *plain;
+    const char *near;  // with the place as the last value
+};
+
+constexpr std::array kSayings{
+    Saying{"'(.+)' expected \\(to close '(.+)' at line (\\d+)\\)",
+           QT_TRANSLATE_NOOP("Tables", "'%1' is missing, which closes '%2' of line %3"),
+           QT_TRANSLATE_NOOP("Tables", "'%1' is missing before '%4', which closes '%2' of line %3")},
+    Saying{"<name> or '...' expected", QT_TRANSLATE_NOOP("Tables", "a name or '...' is missing"),
+           QT_TRANSLATE_NOOP("Tables", "a name or '...' is missing before '%1'")},
+    Saying{"'=' or 'in' expected", QT_TRANSLATE_NOOP("Tables", "'=' or 'in' is missing"),
+           QT_TRANSLATE_NOOP("Tables", "'=' or 'in' is missing before '%1'")},
+    Saying{"function arguments expected", QT_TRANSLATE_NOOP("Tables", "the arguments of a call are missing"),
+           QT_TRANSLATE_NOOP("Tables", "the arguments of a call are missing before '%1'")},
+    Saying{"'(.+)' expected", QT_TRANSLATE_NOOP("Tables", "'%1' is missing"),
+           QT_TRANSLATE_NOOP("Tables", "'%1' is missing before '%2'")},
+    Saying{"unexpected symbol", QT_TRANSLATE_NOOP("Tables", "a symbol that cannot stand here"),
+           QT_TRANSLATE_NOOP("Tables", "'%1' cannot stand here")},
+    Saying{"syntax error", QT_TRANSLATE_NOOP("Tables", "this is not a statement"),
+           QT_TRANSLATE_NOOP("Tables", "this is not a statement: '%1'")},
+    Saying{"malformed number", QT_TRANSLATE_NOOP("Tables", "this is not a number"),
+           QT_TRANSLATE_NOOP("Tables", "this is not a number: '%1'")},
+    Saying{"unfinished (?:long )?string", QT_TRANSLATE_NOOP("Tables", "a string does not end"),
+           QT_TRANSLATE_NOOP("Tables", "a string does not end: '%1'")},
+    Saying{"unfinished long comment", QT_TRANSLATE_NOOP("Tables", "a comment does not end"),
+           QT_TRANSLATE_NOOP("Tables", "a comment does not end: '%1'")},
+    Saying{"invalid escape sequence", QT_TRANSLATE_NOOP("Tables", "an escape that this Lua does not know"),
+           QT_TRANSLATE_NOOP("Tables", "an escape that this Lua does not know: '%1'")},
+};
+
+// 'line:12: '=' expected near 'x''.
 ScriptMistake compilerMistake(const QString &message)
 {
-    static const QRegularExpression form(u"^line:(\\d+): (.*)$"_s,
+    static const QRegularExpression form(u"^line:(\\d+): (.*?)(?: near '(.*)')?$"_s,
                                          QRegularExpression::DotMatchesEverythingOption);
     const auto match = form.match(message);
-    return {0,
-            match.hasMatch() ? match.captured(1).toInt() : 0,
-            "%1",
-            {match.hasMatch() ? match.captured(2) : message}};
+    if (!match.hasMatch())
+        return {0, 0, "%1", {message}};
+    for (const Saying &saying : kSayings) {
+        const auto said = QRegularExpression(QRegularExpression::anchoredPattern(QLatin1String(saying.form)))
+                              .match(match.captured(2));
+        if (!said.hasMatch())
+            continue;
+        QStringList values = said.capturedTexts().mid(1);
+        if (!match.hasCaptured(3) || match.captured(3) == u"<eof>"_s)
+            return {0, match.captured(1).toInt(), saying.plain, values};
+        values.append(match.captured(3).replace(u'\n', u' '));
+        return {0, match.captured(1).toInt(), saying.near, values};
+    }
+    return {0, match.captured(1).toInt(), "%1", {message.mid(match.capturedStart(2))}};
 }
 
 }  // namespace

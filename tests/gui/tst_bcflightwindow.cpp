@@ -282,19 +282,22 @@ void TestBcflightWindow::checkedIsADroneThatIsKnown()
 {
     SimProcess drone({u"--udp"_s, u"0"_s}, u"bcflight"_s);
     QVERIFY(!drone.address().isEmpty());
-    QVERIFY(m_rig->open(drone.address()));
+    const auto connected = [&] {
+        return m_rig->open(drone.address())
+            && QTest::qWaitFor([&] { return !axesKey(m_rig->workspace()).isEmpty(); }, kPatience);
+    };
+    QVERIFY(connected());
     CheckedDirections all;
     all.level = CheckedDirections::Level::All;
     keepDirections(m_rig->workspace(), all);
     QCOMPARE(checkedDirections(m_rig->workspace()), all);
     m_rig->client().disconnectFromBoard();
-    QVERIFY(m_rig->open(drone.address()));
-    QVERIFY(!axesKey(m_rig->workspace()).isEmpty());
+    QVERIFY(connected());
     QCOMPARE(checkedDirections(m_rig->workspace()).level, CheckedDirections::Level::Nothing);
     QVERIFY(m_rig->workspace().naming().choose(u"Mine"_s));
     keepDirections(m_rig->workspace(), all);
     m_rig->client().disconnectFromBoard();
-    QVERIFY(m_rig->open(drone.address()));
+    QVERIFY(connected());
     QCOMPARE(checkedDirections(m_rig->workspace()), all);
     QVERIFY(m_rig->workspace().naming().choose(u"Another"_s));
     QCOMPARE(checkedDirections(m_rig->workspace()).level, CheckedDirections::Level::Nothing);

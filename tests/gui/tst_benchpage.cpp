@@ -285,8 +285,17 @@ void TestBenchPage::cancelSaysWhatIsLeft()
 void TestBenchPage::phasesOfTheControllersAreShown()
 {
     EscCard card;
-    card.setReady(true);
-    QVERIFY(card.startButton()->isEnabled());
+    card.setObstacle(u"armed"_s);
+    QVERIFY(!card.startButton()->isEnabled());
+    const auto why = [&card] {
+        const auto labels = card.findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(), [&card](const QLabel *label) {
+            return label->text() == u"armed"_s && label->isVisibleTo(&card);
+        });
+    };
+    QVERIFY(why());
+    card.setObstacle({});
+    QVERIFY(card.startButton()->isEnabled() && !why());
     const auto boldOnes = [&card] {
         QStringList texts;
         for (const QLabel *label : card.findChildren<QLabel *>()) {

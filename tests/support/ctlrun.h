@@ -55,8 +55,11 @@ public:
     }
     Run finish(int ms = kPatience)
     {
-        if (!QTest::qWaitFor([this] { return m_process.state() == QProcess::NotRunning; }, ms))
+        if (!QTest::qWaitFor([this] { return m_process.state() == QProcess::NotRunning; }, ms)) {
+            qWarning("%s does not end: %s", qPrintable(m_process.arguments().join(u' ')),
+                     qPrintable(text(m_err)));
             return {-1, text(m_out), QStringLiteral("it does not end: ") + text(m_err)};
+        }
         return {m_process.exitCode(), text(m_out), text(m_err)};
     }
 

@@ -104,6 +104,8 @@ private slots:
     void disarmedIsNotStandingBeforeOutputsCouldTell();
     void textThatSetsNothingIsRefused_data();
     void textThatSetsNothingIsRefused();
+    void mistakesAreTold_data();
+    void mistakesAreTold();
     void stopIsProvenByStateAndOutputs();
     void telemetryIsDecoded();
     void noFalsePoints();
@@ -633,6 +635,35 @@ void TestBcflightDevice::textThatSetsNothingIsRefused()
     QFETCH(QByteArray, text);
     QVERIFY(findMistake(text));
     QVERIFY(!findMistake(text + "\nframe = {}\n"));
+}
+
+void TestBcflightDevice::mistakesAreTold_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<int>("line");
+    QTest::addColumn<QString>("told");
+    QTest::newRow("open brace") << QByteArray("a = 1\nb = {\n  1\n") << 4
+                                << u"'}' is missing, which closes '{' of line 2"_s;
+    QTest::newRow("brace before") << QByteArray("b = {\n  1\n\nc = 2\n") << 4
+                                  << u"'}' is missing before 'c', which closes '{' of line 1"_s;
+    QTest::newRow("symbol") << QByteArray("a = \nb = )\n") << 2 << u"')' cannot stand here"_s;
+    QTest::newRow("assignment") << QByteArray("a 5\n") << 1 << u"'=' is missing before '5'"_s;
+    QTest::newRow("number") << QByteArray("a = 12xy\n") << 1 << u"this is not a number: '12xy'"_s;
+    QTest::newRow("string") << QByteArray("a = 'x\n") << 1 << u"a string does not end: ''x'"_s;
+    QTest::newRow("comment") << QByteArray("a = 1 --[[ x\n") << 2 << u"a comment does not end"_s;
+    QTest::newRow("percent") << QByteArray("a = ( %2\n") << 1 << u"'%' cannot stand here"_s;
+    QTest::newRow("unknown saying") << QByteArray("break\n") << 1 << u"no loop to break"_s;
+}
+
+void TestBcflightDevice::mistakesAreTold()
+{
+    QFETCH(QByteArray, text);
+    QFETCH(int, line);
+    QFETCH(QString, told);
+    const auto mistake = findMistake(text);
+    QVERIFY(mistake);
+    QCOMPARE(mistake->sentence(QString::fromUtf8(mistake->what)), told);
+    QCOMPARE(mistake->line, line);
 }
 
 void TestBcflightDevice::stopIsProvenByStateAndOutputs()

@@ -94,6 +94,7 @@ class TestSimulatedFamily : public QObject
 private slots:
     void optionsOfOtherFamiliesAreRefused_data();
     void optionsOfOtherFamiliesAreRefused();
+    void faultsOfOtherFamiliesAreRefused();
     void valuesOutOfRangeAreRefused_data();
     void valuesOutOfRangeAreRefused();
     void aSetupIsUnderstood();
@@ -132,6 +133,16 @@ void TestSimulatedFamily::optionsOfOtherFamiliesAreRefused()
     QVERIFY(!setup);
     QCOMPARE(setup.error().code, ErrorCode::InvalidArgument);
     QCOMPARE(setup.error().detail, u"there is no option '%1'; there are: %2"_s.arg(option, list));
+}
+
+// A fault that does nothing would be taken for a program that does not notice it.
+void TestSimulatedFamily::faultsOfOtherFamiliesAreRefused()
+{
+    const auto setup = parseSimulatorSetup(echoFamily(), {}, {u"no-imu=1"_s});
+    QVERIFY(!setup);
+    QCOMPARE(setup.error().code, ErrorCode::InvalidArgument);
+    QCOMPARE(setup.error().detail, u"a simulated board of echo has no fault 'no-imu'"_s);
+    QVERIFY(parseSimulatorSetup(echoFamily(), {}, {u"lose=0.1"_s}));
 }
 
 void TestSimulatedFamily::valuesOutOfRangeAreRefused_data()

@@ -43,6 +43,7 @@ EscCard::EscCard(QWidget *parent)
     : Card(tr("Motor controllers"), parent)
     , m_start(new QPushButton(tr("Calibrate the controllers…")))
     , m_bar(new QProgressBar)
+    , m_why(wrappedLabel({}, "muted"))
 {
     content()->addWidget(wrappedLabel(
         tr("⚠ All motors get full throttle. Propellers off, drone fixed. It hears nothing for 26 s, also no "
@@ -59,7 +60,14 @@ EscCard::EscCard(QWidget *parent)
     row->addWidget(m_start);
     row->addStretch(1);
     content()->addLayout(row);
+    content()->addWidget(m_why);
     content()->addWidget(m_bar);
+    showState();
+}
+
+void EscCard::setObstacle(const QString &why)
+{
+    m_why->setText(why);
     showState();
 }
 
@@ -83,7 +91,8 @@ void EscCard::setRunning(bool running)
 
 void EscCard::showState()
 {
-    m_start->setEnabled(m_startable && m_phase < 0);
+    m_start->setEnabled(m_why->text().isEmpty() && m_phase < 0);
+    m_why->setVisible(!m_why->text().isEmpty() && m_phase < 0);
     m_bar->setVisible(m_phase >= 0);
     for (std::size_t i = 0; i < m_phases.size(); ++i) {
         m_phases[i]->setObjectName(int(i) != m_phase ? u"muted"_s : i == 1 ? u"error"_s : u""_s);
@@ -103,6 +112,7 @@ FirmwareCard::FirmwareCard(Workspace &workspace, QWidget *parent)
     , m_upload(new QPushButton(tr("Upload…")))
     , m_cancel(new QPushButton(tr("Cancel")))
     , m_bar(new QProgressBar)
+    , m_why(wrappedLabel({}, "muted"))
     , m_said(wrappedLabel({}))
 {
     content()->addWidget(wrappedLabel(
@@ -122,6 +132,7 @@ FirmwareCard::FirmwareCard(Workspace &workspace, QWidget *parent)
     content()->addLayout(row);
     content()->addWidget(m_about);
     content()->addLayout(buttons);
+    content()->addWidget(m_why);
     content()->addWidget(m_bar);
     content()->addWidget(m_said);
     connect(m_choose, &QPushButton::clicked, this, [this] {
@@ -156,10 +167,10 @@ void FirmwareCard::choose(const QString &path)
     showState();
 }
 
-void FirmwareCard::setReady(bool ready)
+void FirmwareCard::setObstacle(const QString &why)
 {
-    if (std::exchange(m_isReady, ready) != ready)
-        showState();
+    m_why->setText(why);
+    showState();
 }
 
 QString FirmwareCard::said() const
@@ -178,7 +189,8 @@ void FirmwareCard::say(const QString &text, const char *look)
 void FirmwareCard::showState()
 {
     m_choose->setEnabled(!m_isRunning);
-    m_upload->setEnabled(m_isReady && !m_isRunning && !m_path.isEmpty());
+    m_upload->setEnabled(m_why->text().isEmpty() && !m_isRunning && !m_path.isEmpty());
+    m_why->setVisible(!m_why->text().isEmpty() && !m_isRunning && !m_path.isEmpty());
     m_cancel->setVisible(m_isRunning);
     m_cancel->setEnabled(!m_isRestarting);
     m_bar->setVisible(m_hasBegun && m_isRunning);

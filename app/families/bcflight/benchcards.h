@@ -20,11 +20,8 @@ public:
     explicit EscCard(QWidget *parent = nullptr);
 
     [[nodiscard]] QPushButton *startButton() const { return m_start; }
-    void setReady(bool ready)
-    {
-        m_startable = ready;
-        showState();
-    }
+    /// Why it cannot be started now; empty: it can.
+    void setObstacle(const QString &why);
     void take(const Progress &progress);
     void setRunning(bool running);
     /// The phase that goes on, from 0; -1: none.
@@ -36,7 +33,7 @@ private:
     QPushButton *m_start;
     std::array<QLabel *, 3> m_phases{};
     QProgressBar *m_bar;
-    bool m_startable = false;
+    QLabel *m_why;
     int m_phase = -1;
 };
 
@@ -49,7 +46,8 @@ public:
     explicit FirmwareCard(Workspace &workspace, QWidget *parent = nullptr);
 
     void choose(const QString &path);
-    void setReady(bool ready);
+    /// Why nothing can be uploaded now; empty: it can.
+    void setObstacle(const QString &why);
     void take(const Progress &progress);
     [[nodiscard]] bool isRunning() const { return m_isRunning; }
     [[nodiscard]] QPushButton *uploadButton() const { return m_upload; }
@@ -74,9 +72,9 @@ private:
     QPushButton *m_upload;
     QPushButton *m_cancel;
     QProgressBar *m_bar;
+    QLabel *m_why;
     QLabel *m_said;
     QString m_path;
-    bool m_isReady = false;
     bool m_isRunning = false;
     bool m_hasBegun = false;  // something of it is on the drone
     bool m_isRestarting = false;  // and cannot be called back

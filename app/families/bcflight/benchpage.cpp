@@ -235,12 +235,13 @@ void BenchPage::refresh()
     m_go->setText(m_lacking == u"telemetry.full"_s ? tr("Full telemetry (Actions)…")
                                                    : tr("Calibrate (Actions)…"));
     m_go->setVisible(!m_lacking.isEmpty());
-    m_escs->setReady(isFree);
+    const QString busy = m_isRunning ? tr("Wait until what is being done is over.") : QString();
+    m_escs->setObstacle(m_isRunning ? busy : obstacle());
     // Neither needs a calibration.
     const ArmedState::State state = m_state->state();
     const bool isAtRest = workspace().client().isConnected() && workspace().client().identity().writable
         && (state == ArmedState::State::Disarmed || state == ArmedState::State::NotCalibrated);
-    m_firmware->setReady(isAtRest && !m_isRunning);
+    m_firmware->setObstacle(m_isRunning ? busy : isAtRest ? QString() : obstacle());
     m_beep->setEnabled(isAtRest && !m_isRunning);
     m_silence->setEnabled(isAtRest && !m_isRunning);
     refreshDeaf();

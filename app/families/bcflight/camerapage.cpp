@@ -78,9 +78,9 @@ void CameraPage::makeLeft()
     auto *buttons = new QHBoxLayout;
     buttons->setSpacing(Metric::kGap / 2);
     m_record->setToolTip(tr("Saves the video as it comes, without encoding it again (Matroska)"));
-    buttons->addWidget(m_record);
     buttons->addWidget(m_still);
     buttons->addWidget(m_full);
+    buttons->addWidget(m_record);  // last: its text grows, and what is aimed at must not move
     m_recording->setAccessibleName(tr("Recording"));
     buttons->addStretch(1);
     column->addLayout(buttons);

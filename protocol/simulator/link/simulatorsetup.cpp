@@ -86,7 +86,7 @@ Result<SimulatorSetup> parseSimulatorSetup(const SimulatedFamily &family,
             return tl::unexpected(read.error());
     }
     for (const QString &fault : faults) {
-        if (const auto set = setup.options.faults.set(fault); !set)
+        if (const auto set = setup.options.faults.set(fault, family.key); !set)
             return tl::unexpected(set.error());
     }
     return setup;

@@ -15,63 +15,69 @@ struct Row
     const char *name;
     double min;
     double max;
+    const char *families;  ///< keys of those whose simulators know it; empty: each
     const char *meaning;
     std::function<void(Faults &, double)> apply;
+    [[nodiscard]] bool knows(const QString &family) const
+    {
+        const QString keys = QLatin1String(families);
+        return family.isEmpty() || keys.isEmpty() || keys.split(u' ').contains(family);
+    }
 };
 
 const std::vector<Row> &rows()
 {
     // clang-format off
     static const std::vector<Row> table{
-        {"lose", 0, 1, "probability that a byte, or a packet of a network, is lost", [](Faults &f, double v) { f.loseByte = v; }},
-        {"flip", 0, 1, "probability that one bit of a byte is wrong", [](Faults &f, double v) { f.flipByte = v; }},
-        {"double", 0, 1, "probability that a byte, or a packet, comes twice", [](Faults &f, double v) { f.doubleByte = v; }},
-        {"delay", 0, 5000, "bytes to the host are held back for up to so many ms",
+        {"lose", 0, 1, "", "probability that a byte, or a packet of a network, is lost", [](Faults &f, double v) { f.loseByte = v; }},
+        {"flip", 0, 1, "", "probability that one bit of a byte is wrong", [](Faults &f, double v) { f.flipByte = v; }},
+        {"double", 0, 1, "", "probability that a byte, or a packet, comes twice", [](Faults &f, double v) { f.doubleByte = v; }},
+        {"delay", 0, 5000, "", "bytes to the host are held back for up to so many ms",
          [](Faults &f, double v) { f.delayMs = int(v); }},
-        {"late", 0, 60000, "everything that the board sends comes so many ms late",
+        {"late", 0, 60000, "", "everything that the board sends comes so many ms late",
          [](Faults &f, double v) { f.lateMs = int(v); }},
-        {"reorder", 0, 1, "probability that a packet of a network is overtaken by the one after it",
+        {"reorder", 0, 1, "", "probability that a packet of a network is overtaken by the one after it",
          [](Faults &f, double v) { f.reorder = v; }},
-        {"unplug", 0, 86400, "seconds until the cable is pulled", [](Faults &f, double v) { f.unplugAfter = v; }},
-        {"replug", -1, 86400, "seconds until it is plugged in again, -1 = never",
+        {"unplug", 0, 86400, "", "seconds until the cable is pulled", [](Faults &f, double v) { f.unplugAfter = v; }},
+        {"replug", -1, 86400, "", "seconds until it is plugged in again, -1 = never",
          [](Faults &f, double v) { f.replugAfter = v; }},
-        {"reset", 0, 86400, "seconds until the board restarts by itself, without notice",
+        {"reset", 0, 86400, "", "seconds until the board restarts by itself, without notice",
          [](Faults &f, double v) { f.resetAfter = v; }},
-        {"reset-on-write", 0, 1000, "SimpleBGC: the n-th parameter block written resets the board half-way; BCFlight: the n-th gain set",
+        {"reset-on-write", 0, 1000, "simplebgc bcflight", "the n-th parameter block written, or gain set, resets the board half-way",
          [](Faults &f, double v) { f.resetOnWrite = int(v); }},
-        {"deaf", -1, 255, "number (STorM32: of its letter) of a command that is never answered, -1 = none",
+        {"deaf", -1, 255, "", "number (STorM32: of its letter) of a command that is never answered, -1 = none",
          [](Faults &f, double v) { f.deaf = int(v); }},
-        {"fail", 0, 255, "SimpleBGC: code of the error with which a calibration or auto-tune ends half-way, 0 = none",
+        {"fail", 0, 255, "simplebgc", "code of the error with which a calibration or auto-tune ends half-way, 0 = none",
          [](Faults &f, double v) { f.failWith = int(v); }},
-        {"late-streams", 0, 10,
-         "SimpleBGC: a calibration answers nothing, and streams go on so many seconds after it, 0 = normal",
+        {"late-streams", 0, 10, "simplebgc",
+         "a calibration answers nothing, and streams go on so many seconds after it, 0 = normal",
          [](Faults &f, double v) { f.lateStreams = v; }},
-        {"no-imu", 0, 1, "the motion sensor is missing", [](Faults &f, double v) { f.noImu = v != 0; }},
-        {"frozen", 0, 1, "the same live data come again and again",
+        {"no-imu", 0, 1, "simplebgc storm32", "the motion sensor is missing", [](Faults &f, double v) { f.noImu = v != 0; }},
+        {"frozen", 0, 1, "simplebgc storm32", "the same live data come again and again",
          [](Faults &f, double v) { f.frozen = v != 0; }},
-        {"battery", 0, 30, "battery voltage", [](Faults &f, double v) { f.battery = v; }},
-        {"heat", 0, 120, "SimpleBGC: temperature of the board's sensor and of its motors, 0 = normal",
+        {"battery", 0, 30, "", "battery voltage", [](Faults &f, double v) { f.battery = v; }},
+        {"heat", 0, 120, "simplebgc bcflight", "temperature of the board's sensor and of its motors, 0 = normal",
          [](Faults &f, double v) { f.heat = v; }},
-        {"blocked", 0, 3, "an axis that something holds fast: 1 roll, 2 pitch, 3 yaw, 0 = none",
+        {"blocked", 0, 3, "", "an axis that something holds fast: 1 roll, 2 pitch, 3 yaw, 0 = none",
          [](Faults &f, double v) { f.blocked = int(v); }},
-        {"runs-on", 0, 1, "commands that switch the motors off, or end a search of gains, are confirmed and not obeyed",
+        {"runs-on", 0, 1, "", "commands that switch the motors off, or end a search of gains, are confirmed and not obeyed",
          [](Faults &f, double v) { f.runsOn = v != 0; }},
-        {"unknown-firmware", 0, 1, "reports a version nobody knows",
+        {"unknown-firmware", 0, 1, "simplebgc storm32", "reports a version nobody knows",
          [](Faults &f, double v) { f.unknownFirmware = v != 0; }},
-        {"other-client", 0, 86400, "SimpleBGC: seconds until another client changes P of roll",
+        {"other-client", 0, 86400, "simplebgc", "seconds until another client changes P of roll",
          [](Faults &f, double v) { f.otherClient = v; }},
-        {"other-ground", 0, 1000, "BCFlight: packets per second of another ground station, which gets what is sent after them, 0 = none",
+        {"other-ground", 0, 1000, "bcflight", "packets per second of another ground station, which gets what is sent after them, 0 = none",
          [](Faults &f, double v) { f.otherGround = v; }},
-        {"shake", 0, 20, "strength of the hand that holds the gimbal, 0 = tripod",
+        {"shake", 0, 20, "", "strength of the hand that holds the gimbal, 0 = tripod",
          [](Faults &f, double v) { f.shake = v; }},
-        {"swapped-axes", 0, 1, "roll and pitch motors are swapped",
+        {"swapped-axes", 0, 1, "simplebgc storm32", "roll and pitch motors are swapped",
          [](Faults &f, double v) { f.swappedAxes = v != 0; }},
-        {"pose", 0, 7, "0 in the gimbal; 1-6 the camera lies still with Z, -Z, X, -X, Y, -Y up; 7 tilted 45 degrees down (a drone in your hands: level, right "
+        {"pose", 0, 7, "", "0 in the gimbal; 1-6 the camera lies still with Z, -Z, X, -X, Y, -Y up; 7 tilted 45 degrees down (a drone in your hands: level, right "
          "side down, left, nose down, up, turned right, left)",
          [](Faults &f, double v) { f.pose = int(v); }},
-        {"mount", 0, 23, "STorM32: how the sensor sits on the camera, as the board counts orientations",
+        {"mount", 0, 23, "storm32", "how the sensor sits on the camera, as the board counts orientations",
          [](Faults &f, double v) { f.mount = int(v); }},
-        {"frame-mount", 0, 23, "STorM32: how the second sensor sits on the frame",
+        {"frame-mount", 0, 23, "storm32", "how the second sensor sits on the frame",
          [](Faults &f, double v) { f.frameMount = int(v); }},
     };
     // clang-format on
@@ -80,14 +86,19 @@ const std::vector<Row> &rows()
 
 }  // namespace
 
-Result<void> Faults::set(const QString &assignment)
+Result<void> Faults::set(const QString &assignment, const QString &family)
 {
     const QString name = assignment.section(u'=', 0, 0);
     QStringList names;
     for (const Row &row : rows()) {
-        names.append(QLatin1String(row.name));
-        if (name != names.last())
+        const bool isKnown = row.knows(family);
+        if (isKnown)
+            names.append(QLatin1String(row.name));
+        if (name != QLatin1String(row.name))
             continue;
+        if (!isKnown)
+            return failure(ErrorCode::InvalidArgument,
+                           u"a simulated board of %1 has no fault '%2'"_s.arg(family, name));
         bool ok = false;
         const double value = assignment.section(u'=', 1).toDouble(&ok);
         if (!ok || !std::isfinite(value) || value < row.min || value > row.max) {
@@ -107,7 +118,9 @@ QStringList Faults::help()
 {
     QStringList lines;
     for (const Row &row : rows()) {
+        const QString keys = QLatin1String(row.families);
         lines.append(u"%1=%2..%3"_s.arg(QLatin1String(row.name)).arg(row.min).arg(row.max).leftJustified(28)
+                     + (keys.isEmpty() ? QString() : QString(keys).replace(u" "_s, u", "_s) + u": "_s)
                      + QLatin1String(row.meaning));
     }
     return lines;

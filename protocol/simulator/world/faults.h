@@ -43,8 +43,9 @@ struct Faults
     int mount = 0;  ///< mount: orientation of the sensor on the camera, as STorM32 numbers them
     int frameMount = 0;  ///< frame-mount: the same for the second sensor, at the frame
 
-    /// Parses NAME=VALUE. Errors: InvalidArgument listing all faults.
-    Result<void> set(const QString &assignment);
+    /// Parses NAME=VALUE, for a family (key; empty: whichever it is). Errors: InvalidArgument listing all
+    /// faults, or saying that its simulator has none of that name.
+    Result<void> set(const QString &assignment, const QString &family = {});
     /// Lines "name=range  meaning" for --help.
     [[nodiscard]] static QStringList help();
 };
