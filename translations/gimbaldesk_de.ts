@@ -1392,6 +1392,10 @@
         <source>Motor %1, %2 in the picture. Until it is over no other can be chosen.</source>
         <translation>Motor %1, im Bild %2. Bis es vorbei ist, lässt sich kein anderer wählen.</translation>
     </message>
+    <message>
+        <source>Wait until what is being done is over.</source>
+        <translation>Warten Sie, bis der laufende Vorgang zu Ende ist.</translation>
+    </message>
 </context>
 <context>
     <name>BlackBoxModel</name>
@@ -16491,6 +16495,142 @@ Spitze %2°</translation>
     <message>
         <source>Nothing is steered over TCP: if the link closes, the motors go on turning, and disarming does not stop them. Connect by UDP to fly.</source>
         <translation>Über TCP wird nichts gesteuert: Schließt sich die Verbindung, drehen die Motoren weiter, und Entschärfen hält sie nicht an. Zum Fliegen über UDP verbinden.</translation>
+    </message>
+    <message>
+        <source>⚠ Not possible: %1.</source>
+        <translation>⚠ Nicht möglich: %1.</translation>
+    </message>
+    <message>
+        <source>⚠ Contradicts “%1” (%2): %3.</source>
+        <translation>⚠ Widerspricht „%1“ (%2): %3.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is missing, which closes &apos;%2&apos; of line %3</source>
+        <translation>Es fehlt „%1“, das „%2“ aus Zeile %3 schließt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is missing before &apos;%4&apos;, which closes &apos;%2&apos; of line %3</source>
+        <translation>Vor „%4“ fehlt „%1“, das „%2“ aus Zeile %3 schließt</translation>
+    </message>
+    <message>
+        <source>a name or &apos;...&apos; is missing</source>
+        <translation>Ein Name oder „...“ fehlt</translation>
+    </message>
+    <message>
+        <source>a name or &apos;...&apos; is missing before &apos;%1&apos;</source>
+        <translation>Vor „%1“ fehlt ein Name oder „...“</translation>
+    </message>
+    <message>
+        <source>&apos;=&apos; or &apos;in&apos; is missing</source>
+        <translation>„=“ oder „in“ fehlt</translation>
+    </message>
+    <message>
+        <source>&apos;=&apos; or &apos;in&apos; is missing before &apos;%1&apos;</source>
+        <translation>Vor „%1“ fehlt „=“ oder „in“</translation>
+    </message>
+    <message>
+        <source>the arguments of a call are missing</source>
+        <translation>Die Argumente eines Aufrufs fehlen</translation>
+    </message>
+    <message>
+        <source>the arguments of a call are missing before &apos;%1&apos;</source>
+        <translation>Vor „%1“ fehlen die Argumente eines Aufrufs</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is missing</source>
+        <translation>„%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is missing before &apos;%2&apos;</source>
+        <translation>Vor „%2“ fehlt „%1“</translation>
+    </message>
+    <message>
+        <source>a symbol that cannot stand here</source>
+        <translation>Ein Zeichen, das hier nicht stehen kann</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot stand here</source>
+        <translation>„%1“ kann hier nicht stehen</translation>
+    </message>
+    <message>
+        <source>this is not a statement</source>
+        <translation>Das ist keine Anweisung</translation>
+    </message>
+    <message>
+        <source>this is not a statement: &apos;%1&apos;</source>
+        <translation>Das ist keine Anweisung: „%1“</translation>
+    </message>
+    <message>
+        <source>this is not a number</source>
+        <translation>Das ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>this is not a number: &apos;%1&apos;</source>
+        <translation>Das ist keine Zahl: „%1“</translation>
+    </message>
+    <message>
+        <source>a string does not end</source>
+        <translation>Eine Zeichenkette endet nicht</translation>
+    </message>
+    <message>
+        <source>a string does not end: &apos;%1&apos;</source>
+        <translation>Eine Zeichenkette endet nicht: „%1“</translation>
+    </message>
+    <message>
+        <source>a comment does not end</source>
+        <translation>Ein Kommentar endet nicht</translation>
+    </message>
+    <message>
+        <source>a comment does not end: &apos;%1&apos;</source>
+        <translation>Ein Kommentar endet nicht: „%1“</translation>
+    </message>
+    <message>
+        <source>an escape that this Lua does not know</source>
+        <translation>Eine Zeichenumschreibung, die dieses Lua nicht kennt</translation>
+    </message>
+    <message>
+        <source>an escape that this Lua does not know: &apos;%1&apos;</source>
+        <translation>Eine Zeichenumschreibung, die dieses Lua nicht kennt: „%1“</translation>
+    </message>
+    <message>
+        <source>Follow pitch</source>
+        <translation>Pitch folgen</translation>
+    </message>
+    <message>
+        <source>Follow yaw and pitch</source>
+        <translation>Yaw und Pitch folgen</translation>
+    </message>
+    <message>
+        <source>Pitch (°, °/s or RC, by mode)</source>
+        <translation>Pitch (°, °/s oder RC, je nach Modus)</translation>
+    </message>
+    <message>
+        <source>Roll (°, °/s or RC, by mode)</source>
+        <translation>Roll (°, °/s oder RC, je nach Modus)</translation>
+    </message>
+    <message>
+        <source>Yaw (°, °/s or RC, by mode)</source>
+        <translation>Yaw (°, °/s oder RC, je nach Modus)</translation>
+    </message>
+    <message>
+        <source>one axis of a sensor cannot point both up and to the right</source>
+        <translation>eine Achse eines Sensors kann nicht zugleich nach oben und nach rechts zeigen</translation>
+    </message>
+    <message>
+        <source>this order is for boards with two axes</source>
+        <translation>diese Reihenfolge ist für Boards mit zwei Achsen</translation>
+    </message>
+    <message>
+        <source>this pin carries a receiver&apos;s serial signal, and no pulses</source>
+        <translation>dieser Anschluss führt das serielle Signal eines Empfängers und keine Pulse</translation>
+    </message>
+    <message>
+        <source>this pin puts out a servo&apos;s signal, so it cannot be an input</source>
+        <translation>dieser Anschluss gibt ein Servosignal aus und kann kein Eingang sein</translation>
+    </message>
+    <message>
+        <source>two motors cannot be at the same output</source>
+        <translation>zwei Motoren können nicht am selben Ausgang sein</translation>
     </message>
 </context>
 <context>

@@ -153,25 +153,52 @@ std::optional<double> Configuration::textFigure(const ParameterSpec &spec, doubl
     return spec.row->textFigure && std::isfinite(raw) ? spec.row->textFigure(*this, spec, raw) : std::nullopt;
 }
 
+// A rule that is not about two parameters which this board has is not broken.
+bool Configuration::isBroken(const ValueRule &rule, int profile) const
+{
+    const ParameterSpec *first = m_parameters->find(QLatin1String(rule.first));
+    const ParameterSpec *second = m_parameters->find(QLatin1String(rule.second));
+    if (!first || (!second && *rule.second))
+        return false;
+    const auto a = raw(*first, profile);
+    const auto b = second ? raw(*second, profile) : 0;
+    return a && b && rule.isBroken(*a, *b);
+}
+
+Configuration::Contradiction Configuration::findContradiction(const ParameterSpec &spec, int profile) const
+{
+    if (!m_parameters)
+        return {};
+    for (const ValueRule &rule : m_parameters->rules()) {
+        if (rule.concerns(spec.key) && isBroken(rule, profile))
+            return {&rule,
+                    m_parameters->find(
+                        QLatin1String(spec.key == QLatin1String(rule.first) ? rule.second : rule.first))};
+    }
+    return {};
+}
+
 Result<void> Configuration::checkRules(const Configuration &held) const
 {
     if (!m_parameters)
         return {};
     for (const ValueRule &rule : m_parameters->rules()) {
-        const ParameterSpec *first = m_parameters->find(QLatin1String(rule.first));
-        const ParameterSpec *second = m_parameters->find(QLatin1String(rule.second));
-        if (!first || !second)
-            continue;
         for (int profile = 0; profile < m_identity.profileCount; ++profile) {
-            const auto a = raw(*first, profile);
-            const auto b = raw(*second, profile);
-            if (!a || !b || !rule.isBroken(*a, *b))
+            if (!isBroken(rule, profile))
                 continue;
-            if (sameValue(held.raw(*first, profile), a) && sameValue(held.raw(*second, profile), b))
-                continue;
-            return failure(ErrorCode::Contradiction,
-                           u"%1 = %2 and %3 = %4: %5"_s.arg(first->key, first->format(*a), second->key,
-                                                            second->format(*b), QLatin1String(rule.why)));
+            QStringList values;
+            bool isNew = false;
+            for (const char *key : {rule.first, rule.second}) {
+                const ParameterSpec *spec = m_parameters->find(QLatin1String(key));
+                if (!spec)
+                    continue;
+                const auto value = raw(*spec, profile);
+                values.append(u"%1 = %2"_s.arg(spec->key, spec->format(*value)));
+                isNew |= !sameValue(held.raw(*spec, profile), value);
+            }
+            if (isNew)
+                return failure(ErrorCode::Contradiction,
+                               u"%1: %2"_s.arg(values.join(u" and "_s), QLatin1String(rule.why)));
         }
     }
     for (const BlockSpec &block : m_parameters->blocks()) {

@@ -103,6 +103,13 @@ public:
     /// The number that stands for a raw value in a text which the board keeps (ParameterRow::textFigure).
     [[nodiscard]] std::optional<double> textFigure(const ParameterSpec &spec, double raw) const;
 
+    /// The rule that a value breaks, and the parameter with which it does (null: alone). Null: none.
+    struct Contradiction
+    {
+        const ValueRule *rule = nullptr;
+        const ParameterSpec *other = nullptr;
+    };
+    [[nodiscard]] Contradiction findContradiction(const ParameterSpec &spec, int profile) const;
     /// Whether its values can hold together. What contradicts itself already in `held` may stay as it is.
     /// So may a text that is not valid. Errors: Contradiction with both parameters; InvalidArgument with the
     /// place in the text.
@@ -114,6 +121,7 @@ public:
     [[nodiscard]] std::vector<DataChange> dataChangesTo(const Configuration &other) const;
 
 private:
+    [[nodiscard]] bool isBroken(const ValueRule &rule, int profile) const;
     Result<void> put(const ParameterSpec &spec, int profile, double raw);
 
     BoardIdentity m_identity;

@@ -293,9 +293,12 @@ QString ParameterSpec::inactiveKey() const
 ParameterSet::ParameterSet(std::span<const ParameterRow> rows, std::span<const BlockSpec> blocks,
                            int firmware, const Capabilities &capabilities, std::span<const ValueRule> rules)
     : m_blocks(blocks)
-    , m_rules(rules)
     , m_firmware(firmware)
 {
+    std::copy_if(rules.begin(), rules.end(), std::back_inserter(m_rules), [&](const ValueRule &rule) {
+        return firmware <= rule.until
+            && (!*rule.capability || capabilities.contains(QLatin1String(rule.capability)));
+    });
     for (const ParameterRow &row : rows) {
         if (firmware < row.since || firmware > row.until)
             continue;

@@ -149,22 +149,20 @@ struct ParameterRow
         = nullptr;
 };
 
-/// Two parameters whose values can exclude each other although each is allowed.
+/// Two parameters whose values can exclude each other although each is allowed; or one, whose values exclude
+/// what the board is.
 struct ValueRule
 {
-    enum class Kind : std::uint8_t {
-        OtherDirection,  ///< must differ by more than the sign
-        OtherUnlessZero,  ///< must differ, unless both are 0
-    };
-
-    Kind kind = Kind::OtherDirection;
     const char *first = "";
-    const char *second = "";
+    const char *second = "";  ///< empty: the rule is about the first alone, and `b` is 0
+    bool (*isBroken)(double a, double b) = nullptr;
     const char *why = "";  ///< "one axis of the sensor cannot point both up and right"
+    const char *capability = "";  ///< the rule holds for boards that have this
+    int until = 99999;  ///< the last firmware for which it holds
 
-    [[nodiscard]] bool isBroken(double a, double b) const
+    [[nodiscard]] bool concerns(const QString &key) const
     {
-        return kind == Kind::OtherDirection ? std::abs(a) == std::abs(b) : a == b && a != 0;
+        return key == QLatin1String(first) || key == QLatin1String(second);
     }
 };
 
@@ -247,12 +245,13 @@ public:
     /// Group names in table order.
     [[nodiscard]] const QList<const char *> &groups() const { return m_groups; }
     [[nodiscard]] int firmware() const { return m_firmware; }
-    [[nodiscard]] std::span<const ValueRule> rules() const { return m_rules; }
+    /// Those that hold for this board.
+    [[nodiscard]] const std::vector<ValueRule> &rules() const { return m_rules; }
 
 private:
     std::vector<ParameterSpec> m_specs;
     std::span<const BlockSpec> m_blocks;
-    std::span<const ValueRule> m_rules;
+    std::vector<ValueRule> m_rules;
     QHash<QString, int> m_byKey;
     QList<const char *> m_groups;
     int m_firmware;

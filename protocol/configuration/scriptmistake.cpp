@@ -10,7 +10,8 @@ QString ScriptMistake::sentence(const QString &pattern) const
     case 0: return pattern;
     case 1: return pattern.arg(values[0]);
     case 2: return pattern.arg(values[0], values[1]);
-    default: return pattern.arg(values[0], values[1], values[2]);
+    case 3: return pattern.arg(values[0], values[1], values[2]);
+    default: return pattern.arg(values[0], values[1], values[2], values[3]);
     }
 }
 

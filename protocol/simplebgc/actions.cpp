@@ -247,20 +247,35 @@ Result<ActionReply> Actions::steer(const QVariantMap &arguments)
 {
     const int mode = arguments.value(u"mode"_s).toInt();
     const double speed = arguments.value(u"speed"_s).toDouble();
+    const SteeringMode *known = m_device.steeringMode(mode);
+    if (!known)
+        return failure(ErrorCode::Unsupported, u"steering in that mode"_s);
     Device::Control setpoint{};
-    bool any = false;
+    int named = 0;
     for (std::size_t axis = 0; axis < setpoint.size(); ++axis) {
         const QVariant wanted = arguments.value(axisName(axis));
         if (!wanted.isValid() || std::isnan(wanted.toDouble()))
             continue;
-        any = true;
+        ++named;
         // In speed mode the axis value is the speed itself.
         const double value = wanted.toDouble();
+        const SteeringInput &input = known->inputs[axis];
+        if (value < input.min || value > input.max)
+            return failure(ErrorCode::InvalidArgument,
+                           u"%1=%2: in the mode '%3' it goes from %4 to %5%6"_s.arg(
+                               axisName(axis), QString::number(value), QLatin1String(known->key),
+                               QString::number(input.min), QString::number(input.max),
+                               QString::fromUtf8(input.unit)));
         setpoint[axis]
             = mode == Speed ? Device::AxisControl{mode, value, 0.0} : Device::AxisControl{mode, speed, value};
     }
-    if (!any)
+    if (named == 0)
         return failure(ErrorCode::InvalidArgument, u"steer needs roll=, pitch= or yaw="_s);
+    if (named < kAxisCount && m_device.steersTogether())
+        return failure(
+            ErrorCode::InvalidArgument,
+            u"firmware before 2.55b5 steers all axes at once and cannot leave one alone: name roll, "
+            "pitch and yaw"_s);
     const auto status = m_channel.transact(Device::statusRequest());
     if (!status)
         return tl::unexpected(status.error());

@@ -18,6 +18,8 @@ constexpr Choice kCalibrationActions[] = {
     {6, "restore-factory"}, {7, "copy-to-sensor"}};
 constexpr Choice kSteerModes[] = {{Speed, "speed"}, {Angle, "angle"}, {SpeedAngle, "speed-angle"}, {Rc, "rc"},
                                   {AngleRelFrame, "angle-frame"}};
+// What they mean, and how far they go, the mode says.
+constexpr double kMostSteered = 4000;
 constexpr Choice kSounds[] = {{1, "calibrate"}, {2, "confirm"}, {4, "error"}, {16, "click"}, {32, "complete"},
                               {64, "intro"}, {32768, "melody"}};
 constexpr Choice kDefaultsScope[] = {{0, "profile1"}, {1, "profile2"}, {2, "profile3"}, {3, "profile4"},
@@ -51,11 +53,11 @@ constexpr ArgumentSpec kProfileArguments[] = {
     {.key = "profile", .label = "Profile", .kind = ArgumentKind::Integer, .min = 1, .max = 5}};
 constexpr ArgumentSpec kSteerArguments[] = {
     {.key = "mode", .label = "Mode", .kind = ArgumentKind::Choice, .choices = kSteerModes, .defaultText = "angle"},
-    {.key = "roll", .label = "Roll", .kind = ArgumentKind::Real, .min = -720, .max = 720, .unit = "°",
+    {.key = "roll", .label = "Roll (°, °/s or RC, by mode)", .kind = ArgumentKind::Real, .min = -kMostSteered, .max = kMostSteered,
      .defaultText = "nan"},
-    {.key = "pitch", .label = "Pitch", .kind = ArgumentKind::Real, .min = -720, .max = 720, .unit = "°",
+    {.key = "pitch", .label = "Pitch (°, °/s or RC, by mode)", .kind = ArgumentKind::Real, .min = -kMostSteered, .max = kMostSteered,
      .defaultText = "nan"},
-    {.key = "yaw", .label = "Yaw", .kind = ArgumentKind::Real, .min = -720, .max = 720, .unit = "°",
+    {.key = "yaw", .label = "Yaw (°, °/s or RC, by mode)", .kind = ArgumentKind::Real, .min = -kMostSteered, .max = kMostSteered,
      .defaultText = "nan"},
     {.key = "speed", .label = "Speed", .kind = ArgumentKind::Real, .min = 0, .max = 1000, .unit = "°/s",
      .defaultText = "30"},

@@ -5,6 +5,7 @@
 #include "protocol/simplebgc/device.h"
 
 #include <algorithm>
+#include <array>
 
 using namespace Qt::StringLiterals;
 
@@ -30,9 +31,9 @@ constexpr AdjustableSpec kAdjustables[] = {
     {13, "follow_speed.roll", "Follow speed, roll", "Follow mode", Axis::Roll, 0, 255},
     {14, "follow_speed.pitch", "Follow speed, pitch", "Follow mode", Axis::Pitch, 0, 255},
     {15, "follow_speed.yaw", "Follow speed, yaw", "Follow mode", Axis::Yaw, 0, 255},
-    {16, "follow_lpf.roll", "Follow low-pass, roll", "Follow mode", Axis::Roll, 0, 16},
-    {17, "follow_lpf.pitch", "Follow low-pass, pitch", "Follow mode", Axis::Pitch, 0, 16},
-    {18, "follow_lpf.yaw", "Follow low-pass, yaw", "Follow mode", Axis::Yaw, 0, 16},
+    {16, "follow_lpf.roll", "Follow low-pass, roll", "Follow mode", Axis::Roll, 0, 15},
+    {17, "follow_lpf.pitch", "Follow low-pass, pitch", "Follow mode", Axis::Pitch, 0, 15},
+    {18, "follow_lpf.yaw", "Follow low-pass, yaw", "Follow mode", Axis::Yaw, 0, 15},
     {19, "rc_speed.roll", "RC speed, roll", "Remote control", Axis::Roll, 0, 255},
     {20, "rc_speed.pitch", "RC speed, pitch", "Remote control", Axis::Pitch, 0, 255},
     {21, "rc_speed.yaw", "RC speed, yaw", "Remote control", Axis::Yaw, 0, 255},
@@ -44,8 +45,8 @@ constexpr AdjustableSpec kAdjustables[] = {
     {27, "rc_trim.yaw", "RC trim, yaw", "Remote control", Axis::Yaw, -127, 127},
     {28, "rc_deadband", "RC dead band", "Remote control", Axis::None, 0, 255},
     {29, "rc_expo", "RC exponential curve", "Remote control", Axis::None, 0, 100},
-    {30, "follow_mode", "Follow mode", "Follow mode", Axis::None, 0, 2},
-    {31, "follow_yaw", "Follow yaw", "Follow mode", Axis::None, 0, 2},
+    {30, "follow_pitch", "Follow pitch", "Follow mode", Axis::None, 0, 1},
+    {31, "follow_yaw_pitch", "Follow yaw and pitch", "Follow mode", Axis::None, 0, 2},
     {32, "follow_deadband", "Follow dead band", "Follow mode", Axis::None, 0, 255},
     {33, "follow_expo", "Follow exponential curve", "Follow mode", Axis::None, 0, 100},
     {34, "follow_mix_start", "Follow roll mix, start", "Follow mode", Axis::None, 0, 90},
@@ -131,10 +132,25 @@ constexpr bool isOrdered()
 }
 static_assert(isOrdered());
 
+// As the document of 2.5x has them (errata 5 and 6, rows 4, 12 and 13).
+constexpr auto kOldAdjustables = [] {
+    std::array<AdjustableSpec, 48> old{};
+    std::copy(std::begin(kAdjustables), std::begin(kAdjustables) + old.size(), old.begin());
+    for (const std::size_t rcLpf : {22U, 23U, 24U})
+        old[rcLpf].max = 15;
+    old[30] = {30, "follow_mode", "Follow mode", "Follow mode", Axis::None, 0, 2};
+    old[31] = {31, "follow_yaw", "Follow yaw", "Follow mode", Axis::None, 0, 1};
+    for (const std::size_t limiter : {39U, 40U, 41U})
+        old[limiter].max = 1275;
+    return old;
+}();
+
 }  // namespace
 
 std::span<const AdjustableSpec> adjustablesOf(int firmware)
 {
+    if (firmware < 2600)
+        return kOldAdjustables;
     const auto end = std::find_if(std::begin(kAdjustables), std::end(kAdjustables),
                                   [firmware](const AdjustableSpec &spec) { return spec.since > firmware; });
     return {std::begin(kAdjustables), end};

@@ -389,8 +389,7 @@ Result<QMap<QString, double>> Actions::gainsInUse(int profile, bool isActive)
                 return each.id == spec.adjustable;
             });
             if (value != live->end() && parts.size() == 3 && parts[0] == u"pid"_s)
-                gains.insert(parts[2] + u'.' + parts[1],
-                             spec.rawOf(value->value) * (parts[2] == u"i"_s ? 0.01 : 1));
+                gains.insert(parts[2] + u'.' + parts[1], spec.toDisplay(spec.rawOf(value->value)));
         }
         return gains;
     }
@@ -403,7 +402,7 @@ Result<QMap<QString, double>> Actions::gainsInUse(int profile, bool isActive)
             const ParameterSpec *spec = m_device.m_parameters->find(u"pid.%1.%2"_s.arg(axisName(axis), gain));
             const auto raw = spec ? spec->read(*bytes) : std::nullopt;
             if (raw)
-                gains.insert(gain + u'.' + axisName(axis), gain == u"i"_s ? *raw * 0.01 : *raw);
+                gains.insert(gain + u'.' + axisName(axis), spec->toDisplay(*raw));
         }
     }
     return gains;
@@ -471,9 +470,12 @@ Result<ActionReply> Actions::autoTune(const QVariantMap &arguments)
         last = *decoded;
         progress.done = last.iteration;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            progress.values[u"p."_s + axisName(axis)] = last.p[axis];
-            progress.values[u"i."_s + axisName(axis)] = last.i[axis] * 0.01;
-            progress.values[u"d."_s + axisName(axis)] = last.d[axis];
+            for (const auto &[gain, raw] :
+                 {std::pair(u"p"_s, last.p[axis]), {u"i"_s, last.i[axis]}, {u"d"_s, last.d[axis]}}) {
+                const ParameterSpec *spec
+                    = m_device.m_parameters->find(u"pid.%1.%2"_s.arg(axisName(axis), gain));
+                progress.values[gain + u'.' + axisName(axis)] = spec ? spec->toDisplay(raw) : raw;
+            }
             progress.values[u"lpf."_s + axisName(axis)] = last.lpf[axis];
             progress.values[u"error."_s + axisName(axis)] = double(last.trackingError[axis]);
         }

@@ -151,6 +151,8 @@ private:
     Result<void> checkIdentity(Channel &channel) const;
     [[nodiscard]] static Error otherIdentity(const BoardInfo &now, const QString &model,
                                              const QString &firmware);
+    /// CONTROL has one mode for all axes (its 15-byte form came with 2.55b5): none can be left alone.
+    [[nodiscard]] bool steersTogether() const { return m_identity.firmwareNumber < 2555; }
     [[nodiscard]] bool canStream() const { return m_identity.firmwareNumber >= 2590; }
     [[nodiscard]] ControlCommand encodeControl(const Control &control) const;
     [[nodiscard]] static Request probeRequest();

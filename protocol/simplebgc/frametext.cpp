@@ -8,6 +8,7 @@
 #include "protocol/simplebgc/framer.h"
 #include "protocol/simplebgc/parametertables.h"
 #include "protocol/simplebgc/payloads.h"
+#include "protocol/simplebgc/steeringmodes.h"
 #include "protocol/simplebgc/telemetrytables.h"
 #include "protocol/simplebgc/units.h"
 
@@ -19,6 +20,7 @@ namespace simplebgc {
 
 namespace {
 
+constexpr int kAnyFirmware = 99999;
 constexpr std::array<const char *, 3> kAxisLetters{"R", "P", "Y"};
 
 // What a command does to the gimbal when sent by hand; commands not listed count as destroying.
@@ -90,6 +92,34 @@ QString blockText(int block, Bytes payload, const ParameterSet *parameters)
     return parts.join(u", "_s);
 }
 
+// Of CONTROL, as the actions name them.
+QString modeName(int mode)
+{
+    if (mode == NoControl)
+        return u"not controlled"_s;
+    if (mode == Ignore)
+        return u"left alone"_s;
+    for (const SteeringMode &known : steeringModes(kAnyFirmware)) {
+        if (known.id == mode)
+            return QLatin1String(known.key);
+    }
+    return u"mode %1"_s.arg(mode);
+}
+
+// What is asked for, or started (document READ_PARAMS_3): any number above 4 is the active one.
+QString profileText(int profile)
+{
+    return profile < kProfileCount ? u"profile %1"_s.arg(profile + 1) : u"the active profile"_s;
+}
+
+// Errata 3.23.
+QString defaultsText(int scope)
+{
+    return scope == 253 ? u"everything, the memory is erased"_s
+        : scope == 255  ? u"all profiles"_s
+                        : profileText(scope);
+}
+
 QString controlText(Bytes payload)
 {
     const auto command = decodeControl(payload);
@@ -98,11 +128,17 @@ QString controlText(Bytes payload)
     QStringList parts;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const ControlAxis &wanted = (*command)[axis];
+        const int mode = wanted.mode & 0x0F;
         const double unit = wanted.mode & ControlHighResSpeed ? kFineSpeedUnit : kControlSpeedUnit;
-        parts.append(u"%1: mode %2, %3°/s, %4°"_s.arg(QLatin1String(kAxisLetters[axis]))
-                         .arg(wanted.mode & 0x0F)
-                         .arg(wanted.speed * unit, 0, 'f', 2)
-                         .arg(wanted.angle * kDegreesPerCount, 0, 'f', 2));
+        const bool isSignal = mode == Rc || mode == RcHighRes;
+        QString text = u"%1: %2"_s.arg(QLatin1String(kAxisLetters[axis]), modeName(mode));
+        if (mode != NoControl && mode != Ignore && !isSignal)
+            text += u" %1°/s"_s.arg(wanted.speed * unit, 0, 'f', 2);
+        if (isSignal)
+            text += u" %1"_s.arg(wanted.angle);
+        else if (mode != NoControl && mode != Ignore && mode != Speed)
+            text += u", %1°"_s.arg(wanted.angle * kDegreesPerCount, 0, 'f', 2);
+        parts.append(text);
     }
     return parts.join(u"; "_s);
 }
@@ -188,10 +224,16 @@ QString fromBoardText(CommandId id, Bytes payload, const ParameterSet *parameter
             return {};
         QString text = u"iteration %1"_s.arg(progress->iteration);
         for (std::size_t axis = 0; axis < 3; ++axis) {
+            // As the parameters are shown, whose scale depends on the firmware.
+            const auto gain = [&](const char *key, int raw) {
+                const ParameterSpec *spec = parameters
+                    ? parameters->find(u"pid.%1.%2"_s.arg(axisName(axis), QLatin1String(key)))
+                    : nullptr;
+                return spec ? spec->rounded(raw) : QString::number(raw);
+            };
             text += u"; %1: P %2 I %3 D %4 error %5"_s.arg(QLatin1String(kAxisLetters[axis]))
-                        .arg(progress->p[axis])
-                        .arg(progress->i[axis])
-                        .arg(progress->d[axis])
+                        .arg(gain("p", progress->p[axis]), gain("i", progress->i[axis]),
+                             gain("d", progress->d[axis]))
                         .arg(double(progress->trackingError[axis]), 0, 'f', 3);
         }
         return text;
@@ -245,10 +287,10 @@ QString toBoardText(CommandId id, Bytes payload, const ParameterSet *parameters)
                                                  QString::fromLatin1(stream->config.toHex(' ')));
     }
     case CommandId::AutoPid: {
-        const int profile = reader.u8() + 1;
-        return u"profile %1, flags 0x%2"_s.arg(profile).arg(reader.u8(), 2, 16, QChar(u'0'));
+        const QString profile = profileText(reader.u8());
+        return u"%1, flags 0x%2"_s.arg(profile).arg(reader.u8(), 2, 16, QChar(u'0'));
     }
-    case CommandId::UseDefaults: return u"profile %1"_s.arg(reader.u8() + 1);
+    case CommandId::UseDefaults: return defaultsText(reader.u8());
     case CommandId::Reset: {
         const int flags = reader.u8();
         return u"notice %1, delay %2 ms"_s.arg(flags).arg(payload.size() > 2 ? reader.u16() : 0);
@@ -260,7 +302,7 @@ QString toBoardText(CommandId id, Bytes payload, const ParameterSet *parameters)
     case CommandId::ReadParams3:
     case CommandId::ReadParamsExt:
     case CommandId::ReadParamsExt2:
-    case CommandId::ReadParams: return u"profile %1"_s.arg(reader.u8() + 1);
+    case CommandId::ReadParams: return profileText(reader.u8());
     case CommandId::WriteParams3:
     case CommandId::WriteParams: return blockText(Params3, payload, parameters);
     case CommandId::WriteParamsExt: return blockText(ParamsExt, payload, parameters);

@@ -4,7 +4,19 @@
 
 #include "protocol/simplebgc/choices.h"
 
+#include <cmath>
+
 namespace simplebgc {
+
+namespace {
+
+// As signal sources count the pulse inputs (errata 4.3).
+constexpr int kPinRcRoll = 1;
+constexpr int kPinRcPitch = 2;
+constexpr int kPinFcRoll = 3;
+constexpr int kPinFcPitch = 4;
+
+}  // namespace
 
 std::span<const ParameterRow> parameterRows()
 {
@@ -17,20 +29,74 @@ std::span<const ParameterRow> parameterRows()
     return rows;
 }
 
+namespace {
+
+bool isSameDirection(double a, double b)
+{
+    return std::abs(a) == std::abs(b);
+}
+
+bool isSameOutput(double a, double b)
+{
+    return a == b && a != 0;
+}
+
+// A pin that puts out a servo's signal cannot take in another (document, SERVOx_OUT and SERVO_OUT).
+template <int Pin> bool isServoPin(double source, double servo)
+{
+    return source == Pin && servo != 0;
+}
+
+// RC_VIRT_MODE: CPPM, S-bus or Spektrum.
+bool isSerialPin(double source, double mode)
+{
+    return source == kPinRcRoll && mode >= 1 && mode <= 3;
+}
+
+bool isForTwoAxes(double order, double)
+{
+    return order == 2 || order == 3;
+}
+
+}  // namespace
+
 std::span<const ValueRule> valueRules()
 {
-    using enum ValueRule::Kind;
     static constexpr const char *kSensor = "one axis of a sensor cannot point both up and to the right";
     static constexpr const char *kPort = "two motors cannot be at the same output";
-    static constexpr ValueRule kRules[] = {
-        {OtherDirection, "imu.main.axis_top", "imu.main.axis_right", kSensor},
-        {OtherDirection, "imu.frame.axis_top", "imu.frame.axis_right", kSensor},
-        {OtherDirection, "imu.mag.axis_top", "imu.mag.axis_right", kSensor},
-        {OtherUnlessZero, "motor.roll.output", "motor.pitch.output", kPort},
-        {OtherUnlessZero, "motor.roll.output", "motor.yaw.output", kPort},
-        {OtherUnlessZero, "motor.pitch.output", "motor.yaw.output", kPort},
+    static constexpr const char *kServo = "this pin puts out a servo's signal, so it cannot be an input";
+    static constexpr const char *kSerial = "this pin carries a receiver's serial signal, and no pulses";
+    static constexpr ValueRule kFixed[] = {
+        {"imu.main.axis_top", "imu.main.axis_right", isSameDirection, kSensor},
+        {"imu.frame.axis_top", "imu.frame.axis_right", isSameDirection, kSensor},
+        {"imu.mag.axis_top", "imu.mag.axis_right", isSameDirection, kSensor},
+        {"motor.roll.output", "motor.pitch.output", isSameOutput, kPort},
+        {"motor.roll.output", "motor.yaw.output", isSameOutput, kPort},
+        {"motor.pitch.output", "motor.yaw.output", isSameOutput, kPort},
+        // The document of 2.5x; later ones know these orders for three axes.
+        {"imu.euler_order", "", isForTwoAxes, "this order is for boards with two axes", "yaw-axis", 2599},
     };
-    return kRules;
+    static constexpr const char *kInputs[]
+        = {"rc.map.roll", "rc.map.pitch", "rc.map.yaw", "rc.map.cmd", "fc.map.roll", "fc.map.pitch"};
+    // clang-format off
+    static constexpr ValueRule kPins[] = {
+        {"", "service.servo1.source", isServoPin<kPinFcRoll>, kServo},
+        {"", "service.servo2.source", isServoPin<kPinFcPitch>, kServo},
+        {"", "service.servo3.source", isServoPin<kPinRcPitch>, kServo},
+        {"", "rc.input_mode", isSerialPin, kSerial},
+    };
+    // clang-format on
+    static const std::vector<ValueRule> rules = [] {
+        std::vector<ValueRule> all(std::begin(kFixed), std::end(kFixed));
+        for (const char *input : kInputs) {
+            for (ValueRule rule : kPins) {
+                rule.first = input;
+                all.push_back(rule);
+            }
+        }
+        return all;
+    }();
+    return rules;
 }
 
 std::span<const Choice> menuActions()

@@ -68,7 +68,7 @@ constexpr ParameterRow kParamsExt2Rows[] = {
      .defaults = {45, 45, 45}, .since = 2600, .until = 2730, .adjustable = 42},
     {.key = "pid.%a.gain", .label = "Gain", .group = "Stabilization",
      .help = "Multiplies P, I and D together; turn this one first.",
-     .block = ParamsExt2, .offset = 26, .axes = 3, .axisStride = 1, .decimals = 2, .defaults = {45, 45, 45},
+     .block = ParamsExt2, .offset = 26, .axes = 3, .axisStride = 1, .decimals = 2, .defaults = {12, 12, 12},
      .since = 2731, .adjustable = 42, .conversion = Conversion::Logarithmic},
     {.key = "imu.frame.lpf", .label = "Frame IMU low-pass", .group = "Sensors",
      .help = "Smooths the frame sensor.",

@@ -154,8 +154,8 @@ QByteArray encodeAngles(const Angles &angles)
 {
     ByteWriter writer;
     for (const AxisAngles &axis : angles) {
-        writer.i16(angleToCount(axis.imu))
-            .i16(angleToCount(axis.target))
+        writer.i16(reportedAngle(axis.imu))
+            .i16(reportedAngle(axis.target))
             .i16(toCount16(axis.targetSpeed, kControlSpeedUnit));
     }
     return writer.take();
@@ -165,8 +165,8 @@ QByteArray encodeAnglesExt(const Angles &angles)
 {
     ByteWriter writer;
     for (const AxisAngles &axis : angles) {
-        writer.i16(angleToCount(axis.imu))
-            .i16(angleToCount(axis.target))
+        writer.i16(reportedAngle(axis.imu))
+            .i16(reportedAngle(axis.target))
             .i32(static_cast<qint32>(std::lround(axis.rotor / kDegreesPerCount)))
             .zeros(10);
     }

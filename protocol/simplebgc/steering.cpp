@@ -175,9 +175,8 @@ ControlFrames Device::controlFrames(const Control &control) const
 {
     const auto frame = [this](const Control &wanted) {
         const ControlCommand command = encodeControl(wanted);
-        const bool shortForm = m_identity.firmwareNumber < 2555;
         return encodeFrame(number(CommandId::Control),
-                           shortForm ? encodeControlShort(command) : simplebgc::encodeControl(command),
+                           steersTogether() ? encodeControlShort(command) : simplebgc::encodeControl(command),
                            kVersion);
     };
     Control still = control;
@@ -186,6 +185,10 @@ ControlFrames Device::controlFrames(const Control &control) const
             axis = {Speed, 0.0, 0.0};
     }
     ControlFrames frames;
+    if (steersTogether() && std::any_of(control.begin(), control.end(), [&](const AxisControl &axis) {
+            return axis.mode != control.front().mode;
+        }))
+        return frames;
     frames.setpoint = frame(control);
     frames.stop = frame(still);
     // Document, notes on CONTROL: mode NO_CONTROL with all data zero returns control to RC.

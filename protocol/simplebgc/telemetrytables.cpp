@@ -211,6 +211,7 @@ static_assert(std::size(kChannels) == ChannelCount);
 constexpr double kPowerUnit = 100.0 / 255.0;  // 0-255 as percent of full power
 constexpr double kBalanceUnit = 100.0 / 512.0;  // 512 = all of the motor's power
 constexpr double kRcFineUnit = 100.0 / 16384.0;
+constexpr double kNoSignal = -32768;  // of the same
 
 // REALTIME_DATA_3 and _4, errata 3.8.
 // clang-format off
@@ -257,9 +258,9 @@ constexpr auto kTarget = three(TargetRoll, kDegreesPerCount);
 constexpr auto kTargetSpeed = three(TargetSpeedRoll, kGyroUnit);
 constexpr auto kRotor = three(RotorRoll, kDegreesPerCount);
 constexpr auto kGyro = three(GyroRoll, kGyroUnit);
-constexpr auto kRcData = run<6>(RcData1, WireField::I16, kRcFineUnit);
+constexpr auto kRcData = run<6>(RcData1, WireField::RcSignal, kRcFineUnit);
 constexpr auto kVectors = run<6>(Z1X, WireField::F32, 1.0);
-constexpr auto kRcChannels = run<18>(RcChannel1, WireField::I16, kRcFineUnit);
+constexpr auto kRcChannels = run<18>(RcChannel1, WireField::RcSignal, kRcFineUnit);
 constexpr auto kAcc = three(AccX, kAccUnit);
 
 // Later ones (errata 3.9, bits 9 and up).
@@ -466,6 +467,11 @@ float readField(const WireField &field, std::span<const std::byte> payload)
     case WireField::I8: value = reader.i8(); break;
     case WireField::U16: value = reader.u16(); break;
     case WireField::I16: value = reader.i16(); break;
+    case WireField::RcSignal:
+        value = reader.i16();
+        if (value == kNoSignal)
+            return std::numeric_limits<float>::quiet_NaN();
+        break;
     case WireField::U24:
         value = reader.u16();
         value += reader.u8() * 65536.0;

@@ -65,7 +65,7 @@ struct WireField
 {
     int channel = 0;
     int offset = 0;
-    enum Type : std::uint8_t { U8, I8, U16, I16, U24, I32, U32, F32, Quaternion } type = I16;
+    enum Type : std::uint8_t { U8, I8, U16, I16, RcSignal, U24, I32, U32, F32, Quaternion } type = I16;
     double scale = 1.0;
     int mask = 0;  ///< not 0: only these bits count; which of w, x, y, z of a quaternion
 };
@@ -76,7 +76,8 @@ constexpr int fieldSize(WireField::Type type)
     case WireField::U8:
     case WireField::I8: return 1;
     case WireField::U16:
-    case WireField::I16: return 2;
+    case WireField::I16:
+    case WireField::RcSignal: return 2;
     case WireField::U24: return 3;
     case WireField::I32:
     case WireField::U32:
@@ -118,7 +119,7 @@ struct CustomField
 [[nodiscard]] std::array<double, 4> unpackQuaternion(quint64 packed);
 [[nodiscard]] quint64 packQuaternion(const std::array<double, 4> &quaternion);
 
-/// The physical value of a field, NaN when the payload is too short.
+/// The physical value of a field, NaN when the payload is too short, or no signal arrives (errata 3.23).
 [[nodiscard]] float readField(const WireField &field, std::span<const std::byte> payload);
 
 }  // namespace simplebgc

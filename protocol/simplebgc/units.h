@@ -30,8 +30,14 @@ inline int toCount16(double value, double unit)
     return static_cast<int>(std::clamp(std::round(value / unit), -32768.0, 32767.0));
 }
 
-/// A 14-bit angle as the wire carries it: it wraps after two full turns.
+/// A 14-bit angle of a command; it ends at two full turns, because what wraps turns the other way.
 inline int angleToCount(double degrees)
+{
+    return toCount16(degrees, kDegreesPerCount);
+}
+
+/// A 14-bit angle as a board reports it: it wraps after two full turns.
+inline int reportedAngle(double degrees)
 {
     const auto count = static_cast<long long>(std::llround(degrees / kDegreesPerCount));
     return static_cast<int>(((count + 32768) % 65536 + 65536) % 65536 - 32768);

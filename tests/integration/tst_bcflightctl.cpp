@@ -205,9 +205,9 @@ void TestBcflightCtl::anotherGroundIsTold()
         const quint64 before = drone.streams().all;
         return QTest::qWaitFor([&] { return drone.streams().all >= before + packets; }, kPatience);
     };
-    QVERIFY(sends(400));  // it has learned what comes when it is alone
+    QVERIFY(sends(800));  // it has learned what comes when it is alone
     drone.process().write("other-ground=100\n");
-    QVERIFY(sends(400));
+    QVERIFY(sends(1000));
     const Run run = interrupt(watching);
     QCOMPARE(run.exitCode, 0);
     QVERIFY2(run.json().value(u"otherStation"_s).toBool(), qPrintable(run.out));

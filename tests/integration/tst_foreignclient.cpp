@@ -140,6 +140,8 @@ class TestForeignClient : public QObject
     Q_OBJECT
 private slots:
     void connectsReadsWritesStreamsAndMoves();
+    void oldBoardKnowsNothingLater();
+    void tooMuchOfCustomIsRefused();
     void speaksStorm_data();
     void speaksStorm();
     void fullRateOnNativeUsb();
@@ -191,13 +193,18 @@ void TestForeignClient::connectsReadsWritesStreamsAndMoves()
     client.send(QByteArray::fromHex("3E430D500200000000F6008E03F60000F877"));
     QVERIFY(!client.reply(67).isEmpty());
     QByteArray angles;
+    double fastest = 0;  // the speed of yaw's target, while it is on its way
     const auto isThere = [&] {
         client.command(73);
         angles = client.reply(73);
+        if (angles.size() == 18)
+            fastest = std::max(fastest, std::abs(word(angles, 16) * 0.1220740379));
         return angles.size() == 18 && std::abs(word(angles, 12) * 0.02197265625 + 45.0) < 1.0
             && std::abs(word(angles, 6) * 0.02197265625 - 20.0) < 1.0;
     };
     QTRY_VERIFY(isThere());
+    QVERIFY2(std::abs(fastest - 30.0) < 2.0, qPrintable(QString::number(fastest)));
+    QTRY_VERIFY(isThere() && word(angles, 16) == 0);
     const double yaw = word(angles, 12) * 0.02197265625;
     QVERIFY2(std::abs(yaw + 45.0) < 3.0, qPrintable(QString::number(yaw)));
     const double pitch = word(angles, 6) * 0.02197265625;
@@ -207,6 +214,36 @@ void TestForeignClient::connectsReadsWritesStreamsAndMoves()
     client.send(QByteArray::fromHex("3E56005700"));
     client.command(73);
     QCOMPARE(client.reply(73).size(), 18);
+}
+
+// The document dates GET_ANGLES_EXT and PARAMS_EXT2; old firmware does not answer what it does not know.
+void TestForeignClient::oldBoardKnowsNothingLater()
+{
+    QTemporaryDir dir;
+    const QString path = dir.filePath(u"old"_s);
+    SimProcess simulator({u"--pty"_s, path, u"--firmware"_s, u"2.43b9"_s});
+    QVERIFY(!simulator.address().isEmpty());
+    Foreigner client(path);
+    for (const int id : {61, 62}) {
+        client.command(id, id == 62 ? QByteArray(1, '\0') : QByteArray());
+        client.command(73);
+        QCOMPARE(client.reply(73).size(), 18);
+        QVERIFY(client.reply(id, 300).isEmpty());
+    }
+}
+
+// What no frame can carry is refused, not sent damaged.
+void TestForeignClient::tooMuchOfCustomIsRefused()
+{
+    QTemporaryDir dir;
+    const QString path = dir.filePath(u"later"_s);
+    SimProcess simulator({u"--pty"_s, path, u"--firmware"_s, u"2.73.8"_s});
+    QVERIFY(!simulator.address().isEmpty());
+    Foreigner client(path);
+    client.command(88, QByteArray::fromHex("FFFFFF3F") + QByteArray(6, '\0'));
+    QCOMPARE(client.reply(255).left(2), QByteArray::fromHex("5802"));
+    client.command(88, QByteArray::fromHex("01000000") + QByteArray(6, '\0'));
+    QCOMPARE(client.reply(88).size(), 8);
 }
 
 void TestForeignClient::speaksStorm_data()

@@ -144,9 +144,13 @@ void TestMisbehaving::nothingFalseIsSaid_data()
     QTest::addColumn<int>("family");
     QTest::addColumn<int>("kind");
     for (int family = 0; family < int(families().size()); ++family) {
-        for (int kind = 0; kind < int(kinds().size()); ++kind)
+        for (int kind = 0; kind < int(kinds().size()); ++kind) {
+            // The toy's simulator has no faults of its own.
+            if (families()[family].key == u"toy"_s && kinds()[kind].faults.contains(u"reset-on-write=1"_s))
+                continue;
             QTest::addRow("%s: %s", qPrintable(nameOf(families()[family])), kinds()[kind].name)
                 << family << kind;
+        }
     }
 }
 

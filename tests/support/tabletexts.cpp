@@ -85,13 +85,17 @@ bool addSimpleBgc(Texts &texts)
             texts.add(text);
         texts.add(row.choices);
     }
+    for (const ValueRule &rule : simplebgc::valueRules())
+        texts.add(rule.why);
     for (const ChannelSpec &channel : simplebgc::channelTable()) {
         texts.add(channel.label);
         texts.add(channel.group);
     }
-    for (const AdjustableSpec &variable : simplebgc::adjustablesOf(99999)) {
-        texts.add(variable.label);
-        texts.add(variable.group);
+    for (const int firmware : {2590, 99999}) {
+        for (const AdjustableSpec &variable : simplebgc::adjustablesOf(firmware)) {
+            texts.add(variable.label);
+            texts.add(variable.group);
+        }
     }
     for (unsigned bit = 0; bit < 16; ++bit) {
         for (unsigned detail = 0; detail < 64; ++detail) {

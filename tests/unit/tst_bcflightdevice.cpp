@@ -646,7 +646,7 @@ void TestBcflightDevice::mistakesAreTold_data()
                                 << u"'}' is missing, which closes '{' of line 2"_s;
     QTest::newRow("brace before") << QByteArray("b = {\n  1\n\nc = 2\n") << 4
                                   << u"'}' is missing before 'c', which closes '{' of line 1"_s;
-    QTest::newRow("symbol") << QByteArray("a = \nb = )\n") << 2 << u"')' cannot stand here"_s;
+    QTest::newRow("symbol") << QByteArray("a = 1\nb = )\n") << 2 << u"')' cannot stand here"_s;
     QTest::newRow("assignment") << QByteArray("a 5\n") << 1 << u"'=' is missing before '5'"_s;
     QTest::newRow("number") << QByteArray("a = 12xy\n") << 1 << u"this is not a number: '12xy'"_s;
     QTest::newRow("string") << QByteArray("a = 'x\n") << 1 << u"a string does not end: ''x'"_s;

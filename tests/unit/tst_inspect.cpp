@@ -6,6 +6,7 @@
 #include "protocol/simplebgc/adjustables.h"
 #include "protocol/simplebgc/frametext.h"
 #include "protocol/simplebgc/parametertables.h"
+#include "protocol/simplebgc/telemetrytables.h"
 #include "tests/support/virtualboard.h"
 
 #include <QBuffer>
@@ -38,6 +39,9 @@ private slots:
     void commandsByNameAndHex_data();
     void commandsByNameAndHex();
     void variablesGrowWithTheFirmware();
+    void variablesHaveTheRangesOfTheirFirmware_data();
+    void variablesHaveTheRangesOfTheirFirmware();
+    void signalThatIsNotThereIsAGap();
     void debugVariablesInParts();
     void sixPositionsFindZeroAndScale();
     void aShakenSensorIsNotCalibrated();
@@ -61,7 +65,10 @@ void TestInspect::framesInWords_data()
     // 67 is CONTROL to the board and CONFIRM from it (errata 2).
     row("confirm", CommandId::Confirm, "4D", true, "CONFIRM", "MOTORS_ON");
     row("control", CommandId::Control, "020202 0A00 5B04 0000 0000 0000 0000", false, "CONTROL",
-        "R: mode 2, 1.22°/s, 24.50°");
+        "R: angle 1.22°/s, 24.50°");
+    // What a mode does not mean is not told in its place.
+    row("control by signal", CommandId::Control, "040700 0000 2C01 0000 0000 0000 0000", false, "CONTROL",
+        "R: rc 300; P: left alone; Y: not controlled");
     row("error", CommandId::Error, "450200000000", true, "ERROR", "EXECUTE_MENU: wrong parameters");
     row("menu", CommandId::ExecuteMenu, "0B", false, "EXECUTE_MENU", "Motors on");
     row("variables", CommandId::SetAdjVarsVal, "01 13 64000000", false, "SET_ADJ_VARS_VAL",
@@ -70,6 +77,8 @@ void TestInspect::framesInWords_data()
         "DATA_STREAM_INTERVAL", "REALTIME_DATA_4, every 40 ms");
     row("battery", CommandId::CalibBat, "CE04", false, "CALIB_BAT", "12.30 V");
     row("defaults", CommandId::UseDefaults, "01", false, "USE_DEFAULTS", "profile 2");
+    row("erased", CommandId::UseDefaults, "FD", false, "USE_DEFAULTS", "everything, the memory is erased");
+    row("active profile", CommandId::ReadParams3, "FF", false, "READ_PARAMS_3", "the active profile");
 }
 
 void TestInspect::framesInWords()
@@ -187,6 +196,45 @@ void TestInspect::variablesGrowWithTheFirmware()
         ++linked;
     }
     QVERIFY(linked > 30);
+}
+
+void TestInspect::variablesHaveTheRangesOfTheirFirmware_data()
+{
+    QTest::addColumn<int>("id");
+    QTest::addColumn<int>("most");
+    QTest::addColumn<int>("mostLater");
+    // Errata 5 and 6.
+    for (const int id : {16, 17, 18})
+        QTest::addRow("follow low-pass %d", id) << id << 15 << 15;
+    for (const int id : {22, 23, 24})
+        QTest::addRow("RC low-pass %d", id) << id << 15 << 255;
+    QTest::newRow("follow mode, then follow pitch") << 30 << 2 << 1;
+    QTest::newRow("follow yaw, then yaw and pitch") << 31 << 1 << 2;
+    for (const int id : {39, 40, 41})
+        QTest::addRow("acceleration %d", id) << id << 1275 << 10000;
+}
+
+void TestInspect::variablesHaveTheRangesOfTheirFirmware()
+{
+    QFETCH(int, id);
+    QFETCH(int, most);
+    QFETCH(int, mostLater);
+    for (const auto &[firmware, max] : {std::pair(2590, most), {2610, mostLater}}) {
+        const AdjustableSpec &variable = adjustablesOf(firmware)[std::size_t(id)];
+        QCOMPARE(variable.id, id);
+        QCOMPARE(int(variable.max), max);
+    }
+}
+
+// -32768 is no signal (errata 3.23), not -200 %.
+void TestInspect::signalThatIsNotThereIsAGap()
+{
+    const QByteArray payload = QByteArray::fromHex("0000 0080 0040 00C0") + QByteArray(8, '\0');
+    const std::vector<WireField> fields = customLayout(1U << 5);
+    QCOMPARE(fields.size(), std::size_t(6));
+    QVERIFY(std::isnan(readField(fields[0], asBytes(payload))));
+    QCOMPARE(readField(fields[1], asBytes(payload)), 100.0F);
+    QCOMPARE(readField(fields[2], asBytes(payload)), -100.0F);
 }
 
 void TestInspect::debugVariablesInParts()

@@ -67,6 +67,9 @@ private slots:
     void adjustablesAreVolatileUntilSaved();
     void steersToAnAngle();
     void speedModeStopsAtTheEnd();
+    void oldFirmwareSteersAllAxesOrNone();
+    void steeringOutOfRangeIsRefused_data();
+    void steeringOutOfRangeIsRefused();
     void everyControlModeIsEncoded();
     void resetIsAnnounced();
     void defaultsOverwriteAProfile();
@@ -212,15 +215,19 @@ void TestSbgcDevice::readsEverything()
     QVERIFY(bench.identify());
     const auto configuration = bench.device.readConfiguration(bench.channel);
     QVERIFY(configuration);
-    QCOMPARE(configuration->blocks().size(), std::size_t(15));
+    const bool hasExt2 = firmware >= kBlocks[ParamsExt2].since;
+    QCOMPARE(configuration->blocks().size(), std::size_t(hasExt2 ? 15 : 10));
     QCOMPARE(configuration->profileNames().first(), u"Handheld"_s);
     for (const ParameterSpec &spec : configuration->parameters().all()) {
+        if (spec.row->block == ParamsExt2 && !hasExt2)
+            continue;
         for (int profile = 0; profile < kProfileCount; ++profile)
             QVERIFY2(configuration->raw(spec, profile).has_value(), qPrintable(spec.key));
         if (!spec.row->state && spec.key != u"imu.skip_gyro_calibration"_s)
             QCOMPARE(*configuration->raw(spec, 4), spec.defaultRaw);
     }
-    QCOMPARE(*configuration->raw(*configuration->parameters().find(u"pid.roll.p"_s), 1), 45);
+    const ParameterSpec &p = *configuration->parameters().find(u"pid.roll.p"_s);
+    QCOMPARE(p.rounded(*configuration->raw(p, 1)).toDouble(), firmware < 2731 ? 45.0 : 45.3);
 }
 
 void TestSbgcDevice::missingExtendedBlocksAreLeftOut()
@@ -340,6 +347,80 @@ void TestSbgcDevice::speedModeStopsAtTheEnd()
         ErrorCode::InvalidArgument);
 }
 
+// The 13-byte form of CONTROL has one mode for all axes (document CMD_CONTROL; errata 3.12): an axis that was
+// not named was told to go to 0, and the mode of roll, 0, made nothing of the rest.
+void TestSbgcDevice::oldFirmwareSteersAllAxesOrNone()
+{
+    VirtualBoard bench(withFirmware(2439));
+    QVERIFY(bench.identify());
+    const auto steer = [&bench](const QMap<QString, QString> &wanted) {
+        return bench.device.perform(bench.channel, u"steer"_s, argumentsFor(bench.device, "steer", wanted));
+    };
+    bench.board().stabilizer().setTarget(Axis::Yaw, 12.0);
+    for (const auto &wanted : {QMap<QString, QString>{{u"pitch"_s, u"-20"_s}},
+                               {{u"roll"_s, u"10"_s}},
+                               {{u"roll"_s, u"0"_s}, {u"pitch"_s, u"-20"_s}}}) {
+        const auto refused = steer(wanted);
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::InvalidArgument);
+        QVERIFY2(refused.error().detail.contains(u"2.55b5"_s), qPrintable(refused.error().detail));
+    }
+    QCOMPARE(bench.board().stabilizer().target(Axis::Yaw), 12.0);
+    QCOMPARE(bench.board().stabilizer().target(Axis::Pitch), 0.0);
+    // Errata 9.4, the 13-byte example.
+    simplebgc::Device::Control control{};
+    control.fill({Angle, 0.0, 0.0});
+    control[1] = {Angle, 30.0, 20.0};
+    control[2] = {Angle, 30.0, -45.0};
+    QCOMPARE(bench.device.controlFrames(control).setpoint.toHex(' ').toUpper(),
+             "3E 43 0D 50 02 00 00 00 00 F6 00 8E 03 F6 00 00 F8 77");
+    control[0].mode = NoControl;
+    QVERIFY(bench.device.controlFrames(control).setpoint.isEmpty());
+    const auto reply = steer({{u"roll"_s, u"0"_s}, {u"pitch"_s, u"-20"_s}, {u"yaw"_s, u"12"_s}});
+    QVERIFY2(reply, qPrintable(reply ? QString() : reply.error().detail));
+    QVERIFY(std::abs(bench.board().stabilizer().estimate(Axis::Pitch) + 20.0) < 1.5);
+}
+
+void TestSbgcDevice::steeringOutOfRangeIsRefused_data()
+{
+    QTest::addColumn<QString>("mode");
+    QTest::addColumn<QString>("wanted");
+    QTest::addColumn<QString>("range");
+    QTest::newRow("two turns") << u"angle"_s << u"720"_s << u"-720 to 719.9°"_s;
+    QTest::newRow("to the frame") << u"angle-frame"_s << u"-721"_s << u"-720 to 719.9°"_s;
+    QTest::newRow("signal") << u"rc"_s << u"600"_s << u"-500 to 500"_s;
+    QTest::newRow("speed") << u"speed"_s << u"4001"_s << u"-4000 to 4000"_s;
+}
+
+// 720 degrees wrapped to -720, and the camera turned the wrong way.
+void TestSbgcDevice::steeringOutOfRangeIsRefused()
+{
+    QFETCH(QString, mode);
+    QFETCH(QString, wanted);
+    QFETCH(QString, range);
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    const QVariantMap arguments{{u"mode"_s,
+                                 int(mode == u"angle"_s             ? Angle
+                                         : mode == u"angle-frame"_s ? AngleRelFrame
+                                         : mode == u"rc"_s          ? Rc
+                                                                    : Speed)},
+                                {u"yaw"_s, wanted.toDouble()},
+                                {u"speed"_s, 30.0},
+                                {u"seconds"_s, 1.0},
+                                {u"release"_s, true}};
+    const auto refused = bench.device.perform(bench.channel, u"steer"_s, arguments);
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().code, ErrorCode::InvalidArgument);
+    QVERIFY2(refused.error().detail.contains(range), qPrintable(refused.error().detail));
+    QCOMPARE(bench.board().stabilizer().target(Axis::Yaw), 0.0);
+    // Whoever asks: the wire does not turn round.
+    simplebgc::Device::Control control{};
+    control[2] = {Angle, 0.0, 725.0};
+    const auto sent = decodeControl(asBytes(bench.device.controlFrames(control).setpoint).subspan(4, 15));
+    QCOMPARE((*sent)[2].angle, 32767);
+}
+
 void TestSbgcDevice::everyControlModeIsEncoded()
 {
     VirtualBoard old(withFirmware(2439));
@@ -382,6 +463,7 @@ void TestSbgcDevice::everyControlModeIsEncoded()
     const auto fine = decodeControl(asBytes(now.device.controlFrames(slow).setpoint).subspan(4, 15));
     QCOMPARE((*fine)[2].mode, int(Speed) | int(ControlHighResSpeed));
     QCOMPARE((*fine)[2].speed, 500);
+    slow.fill({Speed, 0.5, 0});
     QCOMPARE(old.device.controlFrames(slow).setpoint.size(), 13 + 5);
 }
 

@@ -27,6 +27,9 @@ private slots:
     void firmwareDecidesWhatThereIs();
     void capabilitiesDecideWhatThereIs();
     void adjustableVariablesMatchTheErrata();
+    void rulesAreAboutWhatThereIs();
+    void ordersForTwoAxesAreRuledOut();
+    void gainsOfBothScalesAreTheSame();
     void channelKeysAreUnique();
 };
 
@@ -203,6 +206,52 @@ void TestTables::capabilitiesDecideWhatThereIs()
     QVERIFY(!plain.find(u"encoder.roll.offset"_s));
     QVERIFY(encoders.find(u"encoder.roll.offset"_s));
     QCOMPARE(encoders.find(u"encoder.roll.offset"_s)->row->risk, Risk::Red);
+}
+
+void TestTables::rulesAreAboutWhatThereIs()
+{
+    const ParameterSet set(parameterRows(), kBlocks, 2590, {u"yaw-axis"_s}, valueRules());
+    QCOMPARE(set.rules().size(), valueRules().size());
+    for (const ValueRule &rule : set.rules()) {
+        QVERIFY2(set.find(QLatin1String(rule.first)), rule.first);
+        QVERIFY2(!*rule.second || set.find(QLatin1String(rule.second)), rule.second);
+        QVERIFY(*rule.why && rule.isBroken);
+    }
+}
+
+// The document's note to EULER_ORDER; later firmware knows them for three axes.
+void TestTables::ordersForTwoAxesAreRuledOut()
+{
+    const auto isRuledOut = [](int firmware, const Capabilities &capabilities, double order) {
+        const ParameterSet set(parameterRows(), kBlocks, firmware, capabilities, valueRules());
+        return std::any_of(set.rules().begin(), set.rules().end(), [order](const ValueRule &rule) {
+            return rule.concerns(u"imu.euler_order"_s) && rule.isBroken(order, 0);
+        });
+    };
+    QVERIFY(isRuledOut(2590, {u"yaw-axis"_s}, 2));
+    QVERIFY(isRuledOut(2590, {u"yaw-axis"_s}, 3));
+    QVERIFY(!isRuledOut(2590, {u"yaw-axis"_s}, 1));
+    QVERIFY(!isRuledOut(2590, {}, 2));
+    QVERIFY(!isRuledOut(2704, {u"yaw-axis"_s}, 2));
+}
+
+// Errata 3.3: a board of 2.73.1 starts with the same gains, in another scale.
+void TestTables::gainsOfBothScalesAreTheSame()
+{
+    const ParameterSet linear(parameterRows(), kBlocks, 2704, {});
+    const ParameterSet logarithmic(parameterRows(), kBlocks, 2731, {});
+    for (const char *axis : {"roll", "pitch", "yaw"}) {
+        for (const char *gain : {"p", "i", "d", "gain"}) {
+            const QString key = u"pid.%1.%2"_s.arg(QLatin1String(axis), QLatin1String(gain));
+            const auto shown = [&key](const ParameterSet &set) {
+                const ParameterSpec *spec = set.find(key);
+                return spec->toDisplay(spec->defaultRaw);
+            };
+            // I was in hundredths of the units of P.
+            const double factor = *gain == 'i' ? 100 : 1;
+            QVERIFY2(std::abs(shown(linear) * factor / shown(logarithmic) - 1) < 0.03, qPrintable(key));
+        }
+    }
 }
 
 void TestTables::adjustableVariablesMatchTheErrata()

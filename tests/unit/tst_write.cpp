@@ -542,6 +542,11 @@ void TestWrite::contradictionsAreNotWritten_data()
     row("imu.mag.axis_top", "imu.mag.axis_right", 3, -3);
     row("motor.roll.output", "motor.pitch.output", 2, 2);
     row("motor.pitch.output", "motor.yaw.output", 3, 3);
+    // The pins of servo outputs (document, SERVO_OUT) and of the receiver (RC_VIRT_MODE).
+    row("rc.map.yaw", "service.servo1.source", 3, 1);
+    row("rc.map.cmd", "service.servo2.source", 4, 2);
+    row("rc.map.pitch", "service.servo3.source", 2, 3);
+    row("rc.map.roll", "rc.input_mode", 1, 2);
 }
 
 void TestWrite::contradictionsAreNotWritten()

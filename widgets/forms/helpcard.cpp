@@ -75,6 +75,8 @@ void HelpCard::refresh()
         line(tr("Belongs to"), spec.row->scope == Scope::Board ? tr("the whole board") : tr("this profile"));
     line(tr("Key"), spec.key);
     QString facts = u"<table>%1</table>"_s.arg(lines.join(QString()));
+    if (const QString text = contradictionText(m_configuration, spec, profile); !text.isEmpty())
+        facts += u"<p><b>"_s + text.toHtmlEscaped() + u"</b></p>"_s;
     if (const QString inactive = inactiveReason(m_configuration, spec, m_configuration.shownProfile());
         !inactive.isEmpty())
         facts += u"<p>"_s + inactive.toHtmlEscaped() + u"</p>"_s;

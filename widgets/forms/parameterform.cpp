@@ -43,8 +43,15 @@ ParameterForm::ParameterForm(ConfigurationModel &configuration, EditStack &edits
         if (m_filterRows && m_filterRows->concerns(parameter))
             refreshAll();
         const QString key = m_configuration.edited().parameters().at(parameter).key;
+        const auto &rules = m_set->rules();
+        const auto areBound = [&](const QString &other) {
+            return std::any_of(rules.begin(), rules.end(), [&](const ValueRule &rule) {
+                return rule.concerns(key) && rule.concerns(other);
+            });
+        };
         for (auto it = m_editors.begin(); it != m_editors.end(); ++it) {
-            if (m_set->at(it.key()).inactiveKey() == key)
+            const ParameterSpec &spec = m_set->at(it.key());
+            if (spec.inactiveKey() == key || areBound(spec.key))
                 refresh(it.key());
         }
     });
@@ -284,6 +291,7 @@ void ParameterForm::refresh(int parameter)
     if (reason.isEmpty() && m_filterRows)
         reason = m_filterRows->inactiveReason(parameter);
     shown->setInactive(reason);
+    shown->setContradiction(contradictionText(m_configuration, spec, profile));
     shown->show(m_configuration.value(spec, profile), m_configuration.boardValue(spec, profile),
                 !std::as_const(m_configuration).board().findMissing(spec, profile));
     shown->showFigure(std::as_const(m_configuration)

@@ -183,13 +183,18 @@ void ValueEditor::show(std::optional<double> value, std::optional<double> onBoar
         m_reset->setToolTip(tr("The board has %1. Discard the change.").arg(board));
         m_reset->setAccessibleName(tr("Discard the change; the board has %1").arg(board));
     }
-    const QString inactive = m_inactive.isEmpty() ? QString() : u'\n' + m_inactive;
+    QString remarks;
+    for (const QString &remark : {m_contradiction, m_inactive}) {
+        if (!remark.isEmpty())
+            remarks += u'\n' + remark;
+    }
     // A long entry is cut where the window is small.
     const QString chosen = m_choice ? m_choice->currentText() + u'\n' : QString();
     m_control->setToolTip(chosen
                           + u"%1\n%2%3%4"_s.arg(tableText(m_spec.row->help), parameterRangeText(m_spec),
                                                 changed ? tr("\nOn the board: %1").arg(board) : QString(),
-                                                inactive));
+                                                remarks));
+    m_control->setAccessibleDescription(tableText(m_spec.row->help) + remarks);
 }
 
 void ValueEditor::showFigure(std::optional<double> figure)
@@ -235,6 +240,14 @@ void ValueEditor::setInactive(const QString &reason)
     if (reason == std::exchange(m_inactive, reason))
         return;
     m_control->setProperty("inactive", !reason.isEmpty());
+    repolish(m_control);
+}
+
+void ValueEditor::setContradiction(const QString &text)
+{
+    if (text == std::exchange(m_contradiction, text))
+        return;
+    m_control->setProperty("conflict", !text.isEmpty());
     repolish(m_control);
 }
 

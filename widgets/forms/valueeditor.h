@@ -40,6 +40,8 @@ public:
     void forgetTyping();
     /// Why it has no effect now; it can be edited all the same, for when it has.
     void setInactive(const QString &reason);
+    /// What its value contradicts; empty: nothing.
+    void setContradiction(const QString &text);
     /// The control that takes keys.
     [[nodiscard]] QWidget *control() const { return m_control; }
 
@@ -70,6 +72,7 @@ private:
     LateButton *m_reset;
     QLabel *m_figure = nullptr;
     QString m_inactive;
+    QString m_contradiction;
     double m_raw = 0;
     double m_boardRaw = 0;
     bool m_shown = false;  // there has been a value

@@ -121,6 +121,19 @@ QString inactiveReason(const ConfigurationModel &configuration, const ParameterS
         .arg(parameterLabel(*other), parameterValueText(*other, spec.row->inactive.value));
 }
 
+QString contradictionText(const ConfigurationModel &configuration, const ParameterSpec &spec, int profile)
+{
+    const auto [rule, other] = configuration.edited().findContradiction(spec, profile);
+    if (!rule)
+        return {};
+    const QString why = tableText(rule->why);
+    if (!other)
+        return QCoreApplication::translate("Tables", "⚠ Not possible: %1.").arg(why);
+    return QCoreApplication::translate("Tables", "⚠ Contradicts “%1” (%2): %3.")
+        .arg(parameterLabel(*other),
+             parameterValueText(*other, configuration.value(*other, profile).value_or(0)), why);
+}
+
 QString parameterSearchText(const ParameterSpec &spec)
 {
     return (parameterLabel(spec) + u' ' + spec.key + u' ' + tableText(spec.row->group) + u' '

@@ -73,8 +73,11 @@ private:
 /// The word for what a board holds that could not be read, or not since something was sent.
 [[nodiscard]] QString unknownText();
 [[nodiscard]] QString parameterRangeText(const ParameterSpec &spec);
-/// Lower-case text in which a search looks: label, key, group, help.
 /// Why the parameter has no effect now, as a sentence; empty: it has one.
 [[nodiscard]] QString inactiveReason(const ConfigurationModel &configuration, const ParameterSpec &spec,
                                      int profile);
+/// What contradicts the parameter's value now, as a sentence; empty: nothing.
+[[nodiscard]] QString contradictionText(const ConfigurationModel &configuration, const ParameterSpec &spec,
+                                        int profile);
+/// Lower-case text in which a search looks: label, key, group, help.
 [[nodiscard]] QString parameterSearchText(const ParameterSpec &spec);

@@ -123,6 +123,7 @@ QAbstractSpinBox[inactive="true"], QComboBox[inactive="true"], QPushButton[inact
 QAbstractSpinBox[changed="true"], QComboBox[changed="true"], QPushButton[changed="true"] { border-left: 4px solid @Changed; }
 QAbstractSpinBox[changed="true"]:focus, QComboBox[changed="true"]:focus { border: 2px solid @Accent; border-left: 4px solid @Changed; }
 QAbstractSpinBox[refused="true"], QAbstractSpinBox[refused="true"]:focus, QLineEdit[refused="true"], QLineEdit[refused="true"]:focus { border: 2px solid @Danger; padding: 1px 5px; color: @Danger; }
+QComboBox[conflict="true"], QComboBox[conflict="true"]:focus, QAbstractSpinBox[conflict="true"], QAbstractSpinBox[conflict="true"]:focus, QPushButton[conflict="true"] { border: 2px solid @Danger; padding: 1px 5px; color: @Danger; }
 QToolButton#hint { background: @Danger; color: @DangerText; border: none; border-radius: 4px; padding: 2px 8px; min-height: 0; }
 QCheckBox, QRadioButton { border: 2px solid transparent; border-radius: 4px; }
 QCheckBox[changed="true"] { border-left: 4px solid @Changed; padding-left: 4px; }

@@ -40,8 +40,8 @@ SimulatedBoard::SimulatedBoard(const SimulatorOptions &options)
     for (int profile = 0; profile < kProfileCount; ++profile)
         loadDefaults(profile);
     // Different profiles, like those of a board in use.
-    store(u"pid.roll.p"_s, 1, 45);
-    store(u"pid.yaw.p"_s, 1, 50);
+    store(u"pid.roll.p"_s, 1, int(spec(u"pid.roll.p"_s)->toRaw(45)));
+    store(u"pid.yaw.p"_s, 1, int(spec(u"pid.yaw.p"_s)->toRaw(50)));
     store(u"follow.yaw.speed"_s, 1, 25);
     store(u"imu.gyro_trust"_s, 2, 190);
     boot();
@@ -80,7 +80,9 @@ void SimulatedBoard::boot()
     m_calibration = {};
     m_autoPid.reset();
     m_emergency = false;
-    m_otherVars = {{37, 0}, {38, 0}, {42, 45}, {43, 45}, {44, 45}};
+    m_otherVars = {{37, 0}, {38, 0}};
+    if (!spec(u"pid.roll.gain"_s))
+        m_otherVars.insert({{42, 45}, {43, 45}, {44, 45}});
     loadProfile(m_active);
     m_stabilizer.imu().gyroNoise = 0.06;
     m_stabilizer.setHeld(false);
@@ -144,7 +146,8 @@ void SimulatedBoard::applyParameters()
         // I is in hundredths on the linear scale, in the units of P on the logarithmic one.
         gains.i = axisValue("pid.%a.i", axis) * (m_options.firmware >= 2731 ? 1.0 : 100.0);
         gains.d = axisValue("pid.%a.d", axis);
-        gains.gain = 0.1 + 0.02 * m_otherVars.value(42 + int(axis), 45);
+        const QString gain = u"pid.%1.gain"_s.arg(QLatin1String(axisKey(axis)));
+        gains.gain = spec(gain) ? value(gain) : 0.1 + 0.02 * m_otherVars.value(42 + int(axis), 45);
         gains.power = axisValue("motor.%a.power", axis) / 255.0;
         gains.inverted = axisValue("motor.%a.invert", axis) != 0.0;
         gains.poles = int(axisValue("motor.%a.poles", axis));
@@ -288,7 +291,8 @@ void SimulatedBoard::updateTargets()
     for (std::size_t i = 0; i < kAxisCount; ++i) {
         const Axis axis = kAxes[i];
         const int mode = m_control[i].mode & 0x0F;
-        double target = m_stabilizer.target(axis);
+        const double before = m_stabilizer.target(axis);
+        double target = before;
         if (mode == Speed) {
             target += m_moveSpeed[i] * Stabilizer::kCycle;
         } else if (mode == Angle || mode == SpeedAngle || mode == AngleRelFrame || mode == Rc
@@ -302,6 +306,7 @@ void SimulatedBoard::updateTargets()
             const double follow = value(u"follow.yaw.speed"_s) / 60.0;
             target += (m_stabilizer.hand().angle(axis) - target) * follow * Stabilizer::kCycle;
         }
+        m_targetSpeed[i] = mode == NoControl ? 0.0 : (target - before) / Stabilizer::kCycle;
         m_stabilizer.setTarget(axis, target);
     }
     if (m_taskRunning && arrived) {
@@ -398,7 +403,7 @@ void SimulatedBoard::updateAutoPid()
             for (const auto &[key, raw] :
                  {std::pair(u"p"_s, result.p), {u"i"_s, result.i}, {u"d"_s, result.d}}) {
                 const ParameterSpec *parameter = spec(u"pid.%1.%2"_s.arg(axis, key));
-                parameter->write(m_ram[parameter->row->block], raw);
+                parameter->write(m_ram[parameter->row->block], isLogarithmic() ? parameter->toRaw(raw) : raw);
             }
         }
         progress.p[i] = inUse(u"pid.%1.p"_s.arg(axis));

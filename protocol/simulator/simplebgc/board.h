@@ -59,6 +59,8 @@ private:
     void shareBoardValues(int from);
     [[nodiscard]] double value(const QString &key) const;
     [[nodiscard]] double axisValue(const char *pattern, Axis axis) const;
+    /// How gains are stored (errata 3.3); the search of gains counts as the linear scale does.
+    [[nodiscard]] bool isLogarithmic() const { return m_options.firmware >= 2731; }
     [[nodiscard]] const ParameterSpec *spec(const QString &key) const { return m_parameters.find(key); }
     void restart(double afterSeconds);
     void boot();
@@ -88,6 +90,7 @@ private:
     void refuse(const Frame &to, int code);
     [[nodiscard]] bool hasSize(const Frame &frame, qsizetype size);
     [[nodiscard]] QByteArray realtime(bool extended) const;
+    [[nodiscard]] bool isTooLong(quint32 flags) const;
     [[nodiscard]] QByteArray realtimeCustom(quint32 flags) const;
     [[nodiscard]] QByteArray laterFields(quint32 flags) const;
     [[nodiscard]] double volts() const;
@@ -163,6 +166,7 @@ private:
     bool m_autoPidReports = false;
     ControlCommand m_control{};
     std::array<double, kAxisCount> m_moveSpeed{};
+    std::array<double, kAxisCount> m_targetSpeed{};  // at which CONTROL turns the targets now
     std::array<double, kAxisCount> m_destination{};
     bool m_taskRunning = false;
     int m_lastVersion = 1;

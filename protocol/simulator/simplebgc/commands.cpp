@@ -19,6 +19,8 @@ constexpr double kWriteLatency = 0.030;  // EEPROM write (errata 7: tens of ms)
 constexpr double kCalibrationTime = 4.0;
 constexpr double kResetNotice = 1.0;  // document CMD_RESET: 1000 ms between notice and restart
 constexpr int kStreamsFrom = 2590;  // firmware
+// Assumed: the document only tells that GET_ANGLES_EXT came in August 2015, after 2.55b5 in July.
+constexpr int kAnglesExtFrom = 2556;
 constexpr qsizetype kStreamSpace = 512;  // with more than this in the output buffer, streams are skipped
 constexpr int kMaxStreams = 10;
 constexpr int kUnknownFirmware = 9990;
@@ -116,7 +118,11 @@ bool SimulatedBoard::handleRead(const Frame &frame)
     case CommandId::ReadParams:
     case CommandId::ReadParams3: readParams(frame, Params3); return true;
     case CommandId::ReadParamsExt: readParams(frame, ParamsExt); return true;
-    case CommandId::ReadParamsExt2: readParams(frame, ParamsExt2); return true;
+    case CommandId::ReadParamsExt2:
+        if (m_options.firmware < kBlocks[ParamsExt2].since)
+            return false;
+        readParams(frame, ParamsExt2);
+        return true;
     case CommandId::ReadProfileNames:
         reply(frame, CommandId::ReadProfileNames, encodeProfileNames(m_names));
         return true;
@@ -132,14 +138,20 @@ bool SimulatedBoard::handleRead(const Frame &frame)
     case CommandId::RealtimeDataCustom:
         if (!streams)
             return false;
-        if (hasSize(frame, 10))
-            reply(frame, CommandId::RealtimeDataCustom, realtimeCustom(ByteReader(frame.payload).u32()));
+        if (!hasSize(frame, 10))
+            return true;
+        if (const quint32 flags = ByteReader(frame.payload).u32(); isTooLong(flags))
+            refuse(frame, kWrongParameters);
+        else
+            reply(frame, CommandId::RealtimeDataCustom, realtimeCustom(flags));
         return true;
     case CommandId::GetAngles:
         if (hasSize(frame, 0))
             reply(frame, CommandId::GetAngles, polled(CommandId::GetAngles, encodeAngles(angles())));
         return true;
     case CommandId::GetAnglesExt:
+        if (m_options.firmware < kAnglesExtFrom)
+            return false;
         if (hasSize(frame, 0))
             reply(frame, CommandId::GetAnglesExt, encodeAnglesExt(angles()));
         return true;
@@ -169,7 +181,11 @@ bool SimulatedBoard::handleWrite(const Frame &frame)
     case CommandId::WriteParams:
     case CommandId::WriteParams3: writeParams(frame, Params3); return true;
     case CommandId::WriteParamsExt: writeParams(frame, ParamsExt); return true;
-    case CommandId::WriteParamsExt2: writeParams(frame, ParamsExt2); return true;
+    case CommandId::WriteParamsExt2:
+        if (m_options.firmware < kBlocks[ParamsExt2].since)
+            return false;
+        writeParams(frame, ParamsExt2);
+        return true;
     case CommandId::WriteParamsSet:
         if (m_options.firmware < 2704)
             return false;
@@ -262,8 +278,11 @@ bool SimulatedBoard::handleAction(const Frame &frame)
         for (std::size_t i = 0; i < kAxisCount; ++i) {
             const QString axis = QLatin1String(axisKey(kAxes[i]));
             axes[i] = flags & (1 << i);
-            start[i] = {inUse(u"pid.%1.p"_s.arg(axis)), inUse(u"pid.%1.i"_s.arg(axis)),
-                        inUse(u"pid.%1.d"_s.arg(axis)), 0.0};
+            const auto gain = [&](const QString &key) {
+                const QString name = u"pid.%1.%2"_s.arg(axis, key);
+                return isLogarithmic() ? int(std::lround(value(name))) : inUse(name);
+            };
+            start[i] = {gain(u"p"_s), gain(u"i"_s), gain(u"d"_s), 0.0};
             if (axes[i] && !(flags & AutoPidKeepCurrent))
                 start[i] = {8, 2, 8, 0.0};
         }
@@ -414,8 +433,10 @@ void SimulatedBoard::registerStream(const Frame &frame)
         return;
     }
     const auto id = static_cast<CommandId>(stream->command);
-    if (id != CommandId::RealtimeData3 && id != CommandId::RealtimeData4
-        && id != CommandId::RealtimeDataCustom && id != CommandId::AhrsHelper) {
+    const bool isCustom = id == CommandId::RealtimeDataCustom;
+    const bool isStreamed = isCustom || id == CommandId::RealtimeData3 || id == CommandId::RealtimeData4
+        || id == CommandId::AhrsHelper;
+    if (!isStreamed || (isCustom && isTooLong(ByteReader(stream->config).u32()))) {
         refuse(frame, kWrongParameters);
         return;
     }

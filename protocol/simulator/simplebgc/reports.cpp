@@ -80,11 +80,11 @@ QByteArray SimulatedBoard::realtime(bool extended) const
         writer.i16(1500);
     writer.i16(0).i16(0);
     for (const Axis axis : kAxes)
-        writer.i16(angleToCount(s.estimate(axis)));
+        writer.i16(reportedAngle(s.estimate(axis)));
     for (const Axis axis : kAxes)
-        writer.i16(angleToCount(s.hand().angle(axis)));
+        writer.i16(reportedAngle(s.hand().angle(axis)));
     for (const Axis axis : kAxes)
-        writer.i16(angleToCount(s.target(axis)));
+        writer.i16(reportedAngle(s.target(axis)));
     writer.u16(800)
         .u16(s.imuPresent() ? 0 : 1000)
         .u8(errors & 0xFF)
@@ -97,7 +97,7 @@ QByteArray SimulatedBoard::realtime(bool extended) const
     if (!extended)
         return writer.take();
     for (const Axis axis : kAxes)
-        writer.i16(angleToCount(s.jointAngle(axis)));
+        writer.i16(reportedAngle(s.jointAngle(axis)));
     writer.zeros(1);
     for (const Axis axis : kAxes)
         writer.i16(int(std::lround(std::clamp(s.torque(axis), -1.0, 1.0) * 512.0)));
@@ -112,6 +112,12 @@ QByteArray SimulatedBoard::realtime(bool extended) const
     return writer.zeros(36).take();
 }
 
+// What no frame can carry (errata 1.5).
+bool SimulatedBoard::isTooLong(quint32 flags) const
+{
+    return customSize(flags & (kFirstCustomFlags | laterCustomFlags(m_options.firmware))) > kMaxPayload;
+}
+
 QByteArray SimulatedBoard::realtimeCustom(quint32 flags) const
 {
     const Stabilizer &s = m_stabilizer;
@@ -122,16 +128,13 @@ QByteArray SimulatedBoard::realtimeCustom(quint32 flags) const
             writer.i16(raw(axis));
     };
     if (flags & 1)
-        each([&](Axis axis) { return angleToCount(s.estimate(axis)); });
+        each([&](Axis axis) { return reportedAngle(s.estimate(axis)); });
     if (flags & 2)
-        each([&](Axis axis) { return angleToCount(s.target(axis)); });
+        each([&](Axis axis) { return reportedAngle(s.target(axis)); });
     if (flags & 4)
-        each([&](Axis axis) {
-            const auto i = std::size_t(axis);
-            return (m_control[i].mode & 0x0F) == Speed ? toCount16(m_moveSpeed[i], kGyroUnit) : 0;
-        });
+        each([&](Axis axis) { return toCount16(m_targetSpeed[std::size_t(axis)], kGyroUnit); });
     if (flags & 8)
-        each([&](Axis axis) { return angleToCount(s.jointAngle(axis)); });
+        each([&](Axis axis) { return reportedAngle(s.jointAngle(axis)); });
     if (flags & 16)
         each([&](Axis axis) { return toCount16(s.gyro(axis), kGyroUnit); });
     if (flags & 32)
@@ -249,9 +252,8 @@ Angles SimulatedBoard::angles() const
 {
     Angles result;
     for (std::size_t i = 0; i < kAxisCount; ++i) {
-        const bool bySpeed = (m_control[i].mode & 0x0F) == Speed;
-        result[i] = {m_stabilizer.estimate(kAxes[i]), m_stabilizer.target(kAxes[i]),
-                     bySpeed ? m_moveSpeed[i] : 0.0, m_stabilizer.jointAngle(kAxes[i])};
+        result[i] = {m_stabilizer.estimate(kAxes[i]), m_stabilizer.target(kAxes[i]), m_targetSpeed[i],
+                     m_stabilizer.jointAngle(kAxes[i])};
     }
     return result;
 }

@@ -92,6 +92,7 @@ private:
     [[nodiscard]] bool isLockedOut() const;
     /// The answer to a complete simple command.
     QByteArray simple(Simple id, QByteArrayView arguments);
+    bool failsHalfway(const QByteArray &stored);
     /// The answer's number and payload.
     std::pair<int, QByteArray> rc(int id, QByteArrayView payload);
     void takeStartPositions(std::initializer_list<Axis> axes);
@@ -139,6 +140,7 @@ private:
     Stabilizer m_stabilizer;
     QByteArray m_ram;  // parameter words and scripts, as `g` delivers them
     QByteArray m_eeprom;
+    int m_writesSeen = 0;
     QByteArray m_name;  // 16 bytes
     std::array<int, 18> m_calibration{};
     int m_baudCode = 4;

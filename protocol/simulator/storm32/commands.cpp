@@ -43,7 +43,7 @@ bool SimulatedBoard::isLockedOut() const
 
 void SimulatedBoard::reply(const QByteArray &bytes)
 {
-    if (m_isDeaf)
+    if (m_isDeaf || bytes.isEmpty())
         return;
     const double at = std::max(m_busyUntil, m_now) + 0.001 + 0.004 * m_latency.uniform();
     m_replies.push_back({m_replies.empty() ? at : std::max(at, m_replies.back().at), bytes});
@@ -120,6 +120,17 @@ bool SimulatedBoard::serve()
     return used(total);
 }
 
+// The fault reset-on-write: power fails while parameters are taken or stored, of which half are new then.
+bool SimulatedBoard::failsHalfway(const QByteArray &stored)
+{
+    if (++m_writesSeen != m_options.faults.resetOnWrite)
+        return false;
+    const auto half = m_eeprom.size() / 2;
+    m_eeprom = stored.left(half) + m_eeprom.mid(half);
+    restart(Memory::Reload);
+    return true;
+}
+
 QByteArray SimulatedBoard::simple(Simple id, QByteArrayView arguments)
 {
     const QByteArray ok("o");
@@ -128,12 +139,16 @@ QByteArray SimulatedBoard::simple(Simple id, QByteArrayView arguments)
     case Simple::Version: return encodeReply(versionData());
     case Simple::GetParameters: return encodeReply(m_ram);
     case Simple::PutParameters:
+        if (failsHalfway(m_eeprom))
+            return {};
         m_ram = arguments.toByteArray();  // nothing is validated
         applyParameters();
         return ok;
     case Simple::LiveData: return encodeReply(liveData(32));
     case Simple::Status: return encodeReply(liveData(5));
     case Simple::Store:
+        if (failsHalfway(m_ram))
+            return {};
         m_eeprom = m_ram;
         m_busyUntil = m_now + kMemoryWrite;
         return ok;

@@ -43,7 +43,7 @@ const std::vector<Row> &rows()
          [](Faults &f, double v) { f.replugAfter = v; }},
         {"reset", 0, 86400, "", "seconds until the board restarts by itself, without notice",
          [](Faults &f, double v) { f.resetAfter = v; }},
-        {"reset-on-write", 0, 1000, "simplebgc bcflight", "the n-th parameter block written, or gain set, resets the board half-way",
+        {"reset-on-write", 0, 1000, "", "the n-th write of parameters from now on, or gain set, resets the board half-way",
          [](Faults &f, double v) { f.resetOnWrite = int(v); }},
         {"deaf", -1, 255, "", "number (STorM32: of its letter) of a command that is never answered, -1 = none",
          [](Faults &f, double v) { f.deaf = int(v); }},
