@@ -36,6 +36,7 @@ function(gimbal_reuse name from)
 endfunction()
 gimbal_precompile(gimbal_pch_core core.h Qt6::Core tl::expected)
 gimbal_precompile(gimbal_pch_screen screen.h Qt6::Widgets tl::expected)
+gimbal_precompile(gimbal_pch_app app.h Qt6::Widgets Qt6::Network tl::expected)
 
 # Sources of a folder are compiled together, some at a time: what their headers drag in is half of the work otherwise. So names that are
 # local to a file have to be unique within its folder. Tools that read compile_commands.json want each file by itself.
@@ -80,6 +81,8 @@ function(gimbal_folder path)
     set_target_properties(${name} PROPERTIES UNITY_BUILD ${GIMBAL_UNITY} UNITY_BUILD_BATCH_SIZE 12)
     if(path MATCHES "^(protocol/|widgets/models|widgets/gamepad|app/composition|app/cli)")
         gimbal_reuse(${name} gimbal_pch_core)
+    elseif(path MATCHES "^app/(pages|families|mainwindow|tour)")
+        gimbal_reuse(${name} gimbal_pch_app)
     else()
         gimbal_reuse(${name} gimbal_pch_screen)
     endif()

@@ -16506,19 +16506,19 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is missing, which closes &apos;%2&apos; of line %3</source>
-        <translation>Es fehlt „%1“, das „%2“ aus Zeile %3 schließt</translation>
+        <translation>es fehlt „%1“, das „%2“ aus Zeile %3 schließt</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is missing before &apos;%4&apos;, which closes &apos;%2&apos; of line %3</source>
-        <translation>Vor „%4“ fehlt „%1“, das „%2“ aus Zeile %3 schließt</translation>
+        <translation>vor „%4“ fehlt „%1“, das „%2“ aus Zeile %3 schließt</translation>
     </message>
     <message>
         <source>a name or &apos;...&apos; is missing</source>
-        <translation>Ein Name oder „...“ fehlt</translation>
+        <translation>ein Name oder „...“ fehlt</translation>
     </message>
     <message>
         <source>a name or &apos;...&apos; is missing before &apos;%1&apos;</source>
-        <translation>Vor „%1“ fehlt ein Name oder „...“</translation>
+        <translation>vor „%1“ fehlt ein Name oder „...“</translation>
     </message>
     <message>
         <source>&apos;=&apos; or &apos;in&apos; is missing</source>
@@ -16526,15 +16526,15 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>&apos;=&apos; or &apos;in&apos; is missing before &apos;%1&apos;</source>
-        <translation>Vor „%1“ fehlt „=“ oder „in“</translation>
+        <translation>vor „%1“ fehlt „=“ oder „in“</translation>
     </message>
     <message>
         <source>the arguments of a call are missing</source>
-        <translation>Die Argumente eines Aufrufs fehlen</translation>
+        <translation>die Argumente eines Aufrufs fehlen</translation>
     </message>
     <message>
         <source>the arguments of a call are missing before &apos;%1&apos;</source>
-        <translation>Vor „%1“ fehlen die Argumente eines Aufrufs</translation>
+        <translation>vor „%1“ fehlen die Argumente eines Aufrufs</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is missing</source>
@@ -16542,11 +16542,11 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is missing before &apos;%2&apos;</source>
-        <translation>Vor „%2“ fehlt „%1“</translation>
+        <translation>vor „%2“ fehlt „%1“</translation>
     </message>
     <message>
         <source>a symbol that cannot stand here</source>
-        <translation>Ein Zeichen, das hier nicht stehen kann</translation>
+        <translation>ein Zeichen, das hier nicht stehen kann</translation>
     </message>
     <message>
         <source>&apos;%1&apos; cannot stand here</source>
@@ -16554,43 +16554,43 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>this is not a statement</source>
-        <translation>Das ist keine Anweisung</translation>
+        <translation>das ist keine Anweisung</translation>
     </message>
     <message>
         <source>this is not a statement: &apos;%1&apos;</source>
-        <translation>Das ist keine Anweisung: „%1“</translation>
+        <translation>das ist keine Anweisung: „%1“</translation>
     </message>
     <message>
         <source>this is not a number</source>
-        <translation>Das ist keine Zahl</translation>
+        <translation>das ist keine Zahl</translation>
     </message>
     <message>
         <source>this is not a number: &apos;%1&apos;</source>
-        <translation>Das ist keine Zahl: „%1“</translation>
+        <translation>das ist keine Zahl: „%1“</translation>
     </message>
     <message>
         <source>a string does not end</source>
-        <translation>Eine Zeichenkette endet nicht</translation>
+        <translation>eine Zeichenkette endet nicht</translation>
     </message>
     <message>
         <source>a string does not end: &apos;%1&apos;</source>
-        <translation>Eine Zeichenkette endet nicht: „%1“</translation>
+        <translation>eine Zeichenkette endet nicht: „%1“</translation>
     </message>
     <message>
         <source>a comment does not end</source>
-        <translation>Ein Kommentar endet nicht</translation>
+        <translation>ein Kommentar endet nicht</translation>
     </message>
     <message>
         <source>a comment does not end: &apos;%1&apos;</source>
-        <translation>Ein Kommentar endet nicht: „%1“</translation>
+        <translation>ein Kommentar endet nicht: „%1“</translation>
     </message>
     <message>
         <source>an escape that this Lua does not know</source>
-        <translation>Eine Zeichenumschreibung, die dieses Lua nicht kennt</translation>
+        <translation>eine Zeichenumschreibung, die dieses Lua nicht kennt</translation>
     </message>
     <message>
         <source>an escape that this Lua does not know: &apos;%1&apos;</source>
-        <translation>Eine Zeichenumschreibung, die dieses Lua nicht kennt: „%1“</translation>
+        <translation>eine Zeichenumschreibung, die dieses Lua nicht kennt: „%1“</translation>
     </message>
     <message>
         <source>Follow pitch</source>

@@ -805,7 +805,7 @@ void TestCtlFaults::steeringUnseenIsNoSuccess()
     SimProcess simulator({u"--tcp"_s, u"0"_s, u"--firmware"_s, firmware});
     Running running(m_dir->path(),
                     {u"--link"_s, simulator.address(), u"--json"_s, u"do"_s, u"steer"_s, u"mode=angle"_s,
-                     u"yaw=0"_s, u"seconds=15"_s});
+                     u"roll=0"_s, u"pitch=0"_s, u"yaw=0"_s, u"seconds=15"_s});
     QTRY_VERIFY2(running.told().contains(u"steer"_s, Qt::CaseInsensitive), qPrintable(running.told()));
     simulator.process().write("frozen=1\n");
     const Run run = running.finish();

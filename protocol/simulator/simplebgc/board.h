@@ -16,6 +16,17 @@
 
 namespace simplebgc {
 
+/// Codes of ERROR (errata 3.18).
+enum Refusal {
+    kWrongSize = 1,
+    kWrongParameters = 2,
+    kUnknownCommand = 6,
+    kWrongState = 8,
+    kNotSupported = 9
+};
+
+inline constexpr double kResetNotice = 1.0;  ///< document CMD_RESET: 1000 ms between notice and restart
+
 /// A SimpleBGC 32-bit controller on a simulated gimbal: memory per profile, volatile variables, streams,
 /// calibrations, automatic tuning, resets. Behaves as described in the document and errata 7.
 class SimulatedBoard final : public ::SimulatedBoard

@@ -17,7 +17,6 @@ namespace {
 constexpr double kLatency = 0.0015;  // seconds from command to the first byte of its answer
 constexpr double kWriteLatency = 0.030;  // EEPROM write (errata 7: tens of ms)
 constexpr double kCalibrationTime = 4.0;
-constexpr double kResetNotice = 1.0;  // document CMD_RESET: 1000 ms between notice and restart
 constexpr int kStreamsFrom = 2590;  // firmware
 // Assumed: the document only tells that GET_ANGLES_EXT came in August 2015, after 2.55b5 in July.
 constexpr int kAnglesExtFrom = 2556;
@@ -25,12 +24,6 @@ constexpr qsizetype kStreamSpace = 512;  // with more than this in the output bu
 constexpr int kMaxStreams = 10;
 constexpr int kUnknownFirmware = 9990;
 constexpr int kBoardVersion = 30;
-
-constexpr int kWrongSize = 1;
-constexpr int kWrongParameters = 2;
-constexpr int kUnknownCommand = 6;
-constexpr int kWrongState = 8;
-constexpr int kNotSupported = 9;
 
 std::vector<DebugVar> debugVariables()
 {
@@ -482,78 +475,6 @@ void SimulatedBoard::sendStreams()
             payload = stream.sent;
         stream.sent = payload;
         send(id, payload, stream.version, true);
-    }
-}
-
-void SimulatedBoard::control(const Frame &frame)
-{
-    const auto command = decodeControl(asBytes(frame.payload));
-    if (!command) {
-        refuse(frame, kWrongSize);
-        return;
-    }
-    for (std::size_t i = 0; i < kAxisCount; ++i) {
-        const ControlAxis &wanted = (*command)[i];
-        const int mode = wanted.mode & 0x0F;
-        if (mode == Ignore)
-            continue;
-        m_control[i] = wanted;
-        const double unit = wanted.mode & ControlHighResSpeed ? kFineSpeedUnit : kControlSpeedUnit;
-        const double speed = wanted.speed * unit;
-        m_moveSpeed[i]
-            = mode == Speed || wanted.speed != 0 ? speed : std::max(5.0, axisValue("rc.%a.speed", kAxes[i]));
-        m_destination[i] = mode == Rc ? wanted.angle / 500.0 * axisValue("rc.%a.max_angle", kAxes[i])
-            : mode == RcHighRes       ? wanted.angle / 16384.0 * axisValue("rc.%a.max_angle", kAxes[i])
-                                      : wanted.angle * kDegreesPerCount;
-        m_taskRunning |= (wanted.mode & ControlAutoTask) && (mode == Angle || mode == AngleRelFrame);
-    }
-    confirm(frame);
-}
-
-void SimulatedBoard::menu(int action, const Frame &frame)
-{
-    static const QMap<int, int> profiles{{1, 0}, {2, 1}, {3, 2}, {14, 3}, {15, 4}};
-    const bool known
-        = std::any_of(std::begin(kMenuActions), std::end(kMenuActions), [&](const Choice &choice) {
-              return choice.value == action && m_options.firmware >= choice.since;
-          });
-    if (!known) {
-        refuse(frame, kWrongParameters);
-        return;
-    }
-    confirm(frame);
-    if (profiles.contains(action)) {
-        loadProfile(profiles.value(action));
-        return;
-    }
-    switch (action) {
-    case 6:
-    case 9: {
-        Frame calibration(number(action == 9 ? CommandId::CalibGyro : CommandId::CalibAcc), {},
-                          frame.version);
-        startCalibration(calibration);
-        break;
-    }
-    case 7:
-        reply(frame, CommandId::Reset, {});
-        restart(kResetNotice);
-        break;
-    case 10:
-        m_stabilizer.setMotorsOn(!m_emergency && (!m_stabilizer.motorsOn() || m_options.faults.runsOn));
-        break;
-    case 11: m_stabilizer.setMotorsOn(!m_emergency); break;
-    case 12: m_stabilizer.setMotorsOn(m_options.faults.runsOn && m_stabilizer.motorsOn()); break;
-    case 17: m_stabilizer.setTarget(Axis::Pitch, 90.0); break;
-    case 18:
-        for (const Axis axis : kAxes)
-            m_stabilizer.setTarget(axis, 0.0);
-        break;
-    case 34:
-        m_stabilizer.setTarget(Axis::Roll, 0.0);
-        m_stabilizer.setTarget(Axis::Pitch, 0.0);
-        break;
-    case 35: m_stabilizer.setTarget(Axis::Yaw, m_stabilizer.hand().angle(Axis::Yaw)); break;
-    default: break;
     }
 }
 
