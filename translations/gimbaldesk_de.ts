@@ -61,7 +61,7 @@
     </message>
     <message>
         <source>%1 …</source>
-        <translation>%1 …</translation>
+        <translation>%1…</translation>
     </message>
     <message>
         <source>done</source>
@@ -911,7 +911,7 @@
     </message>
     <message>
         <source>The board is told to end the search, and watched until it has…</source>
-        <translation>Das Board soll die Suche beenden und wird beobachtet, bis es das getan hat …</translation>
+        <translation>Das Board soll die Suche beenden und wird beobachtet, bis es das getan hat…</translation>
     </message>
     <message>
         <source>The board searches on although it was told to stop. Stop it once more, or stop the motors.</source>
@@ -1346,11 +1346,11 @@
     </message>
     <message>
         <source>Full telemetry (Actions)…</source>
-        <translation>Volle Telemetrie (Aktionen) …</translation>
+        <translation>Volle Telemetrie (Aktionen)…</translation>
     </message>
     <message>
         <source>Calibrate (Actions)…</source>
-        <translation>Kalibrieren (Aktionen) …</translation>
+        <translation>Kalibrieren (Aktionen)…</translation>
     </message>
     <message>
         <source>left</source>
@@ -1436,7 +1436,7 @@
     </message>
     <message>
         <source>Reading…</source>
-        <translation>Wird gelesen …</translation>
+        <translation>Wird gelesen…</translation>
     </message>
     <message>
         <source>Open the black box of a drone to see its lines.</source>
@@ -1996,7 +1996,7 @@
     </message>
     <message>
         <source>Waiting for video from %1 …</source>
-        <translation>Warten auf Video von %1 …</translation>
+        <translation>Warten auf Video von %1…</translation>
     </message>
     <message>
         <source>No video comes from %1. The drone has no camera, the port is another one, or another viewer asked for it later.</source>
@@ -2745,11 +2745,11 @@
     </message>
     <message>
         <source>Check again…</source>
-        <translation>Noch einmal prüfen …</translation>
+        <translation>Noch einmal prüfen…</translation>
     </message>
     <message>
         <source>Check directions…</source>
-        <translation>Richtungen prüfen …</translation>
+        <translation>Richtungen prüfen…</translation>
     </message>
     <message>
         <source>Calibrate it first: its angles are not known before.</source>
@@ -2888,7 +2888,7 @@
     </message>
     <message>
         <source>Load file…</source>
-        <translation>Datei laden …</translation>
+        <translation>Datei laden…</translation>
     </message>
     <message>
         <source>Save file…</source>
@@ -3938,7 +3938,7 @@
     </message>
     <message>
         <source>Choose another name…</source>
-        <translation>Anderen Namen wählen …</translation>
+        <translation>Anderen Namen wählen…</translation>
     </message>
     <message>
         <source>Keep it</source>
@@ -4389,7 +4389,7 @@
     </message>
     <message>
         <source>Calibrate (Actions)…</source>
-        <translation>Kalibrieren (Aktionen) …</translation>
+        <translation>Kalibrieren (Aktionen)…</translation>
     </message>
     <message>
         <source>Drawn as the check of directions has found it (Flight).</source>
@@ -4512,7 +4512,7 @@
     </message>
     <message>
         <source>Open a control session…</source>
-        <translation>Steuersitzung öffnen …</translation>
+        <translation>Steuersitzung öffnen…</translation>
     </message>
     <message>
         <source>No drone is connected.</source>
@@ -4648,7 +4648,7 @@
     </message>
     <message>
         <source>Calibrate (Actions)…</source>
-        <translation>Kalibrieren (Aktionen) …</translation>
+        <translation>Kalibrieren (Aktionen)…</translation>
     </message>
     <message>
         <source>it is not calibrated.</source>
@@ -5435,7 +5435,7 @@
     </message>
     <message>
         <source>Board restarts, connecting again…</source>
-        <translation>Das Board startet neu, verbinde wieder …</translation>
+        <translation>Das Board startet neu, verbinde wieder…</translation>
     </message>
     <message>
         <source>Stop motors</source>
@@ -6888,7 +6888,7 @@ dieses zeigen.</translation>
     </message>
     <message>
         <source>Set…</source>
-        <translation>Setzen …</translation>
+        <translation>Setzen…</translation>
     </message>
     <message>
         <source>Set lens shading</source>
@@ -7356,7 +7356,7 @@ dieses zeigen.</translation>
     </message>
     <message>
         <source>Asking the drone…</source>
-        <translation>Die Drohne wird gefragt …</translation>
+        <translation>Die Drohne wird gefragt…</translation>
     </message>
     <message>
         <source>It is not connected now.</source>
@@ -9291,7 +9291,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Asking the drone…</source>
-        <translation>Die Drohne wird gefragt …</translation>
+        <translation>Die Drohne wird gefragt…</translation>
     </message>
     <message>
         <source>Connect a drone to see what it tells of its board, sensors and cameras.</source>

@@ -90,7 +90,7 @@ Commands allCommands(const CommandContext &context)
 {
     Commands all;
     for (auto part : {parameterCommands, fileCommands, textCommands, actionCommands, recordingCommands,
-                      linkCommands, videoCommands}) {
+                      linkCommands, videoCommands, rawCommands}) {
         for (auto &command : part(context))
             all.push_back(std::move(command));
     }

@@ -210,6 +210,7 @@ using Commands = std::vector<std::unique_ptr<Command>>;
 [[nodiscard]] Commands recordingCommands(const CommandContext &context);
 [[nodiscard]] Commands linkCommands(const CommandContext &context);
 [[nodiscard]] Commands videoCommands(const CommandContext &context);
+[[nodiscard]] Commands rawCommands(const CommandContext &context);
 
 template <typename... Each> [[nodiscard]] Commands makeCommands(const CommandContext &context)
 {

@@ -6,6 +6,11 @@
 #include "protocol/simplebgc/payloads.h"
 #include "protocol/simplebgc/units.h"
 
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <mutex>
+
 namespace simplebgc {
 
 namespace {
@@ -27,6 +32,28 @@ constexpr Choice kDefaultsScope[] = {{0, "profile1"}, {1, "profile2"}, {2, "prof
 
 constexpr ArgumentSpec kMenuArguments[] = {
     {.key = "command", .label = "Command", .kind = ArgumentKind::Choice, .choices = kMenuActions}};
+
+// The argument of "menu" with the commands of this firmware only. It stays: an action may outlive its device.
+std::span<const ArgumentSpec> menuArguments(int firmware)
+{
+    struct Menu
+    {
+        std::vector<Choice> choices;
+        ArgumentSpec argument = kMenuArguments[0];
+    };
+    static std::mutex mutex;
+    static std::map<std::size_t, Menu> menus;  // by size: commands are only ever added
+    std::vector<Choice> known;
+    std::copy_if(std::begin(kMenuActions), std::end(kMenuActions), std::back_inserter(known),
+                 [firmware](const Choice &choice) { return choice.since <= firmware; });
+    const std::lock_guard lock(mutex);
+    Menu &menu = menus[known.size()];
+    if (menu.choices.empty()) {
+        menu.choices = std::move(known);
+        menu.argument.choices = menu.choices;
+    }
+    return {&menu.argument, 1};
+}
 constexpr int kProfileEntries[] = {1, 2, 3, 14, 15};
 constexpr int kMotorEntries[] = {kMenuMotorsSwitch, kMenuMotorsOn, kMenuMotorsOff};
 constexpr int kSwitchEntries[] = {22, 60, 66};  // the button, safe stop, safe toggle
@@ -186,6 +213,8 @@ std::vector<ActionSpec> availableActions(const BoardIdentity &identity)
         if (*action.capability && !identity.capabilities.contains(QLatin1String(action.capability)))
             continue;
         list.push_back(action);
+        if (action.arguments.data() == kMenuArguments)
+            list.back().arguments = menuArguments(identity.firmwareNumber);
     }
     return list;
 }

@@ -61,6 +61,8 @@ private slots:
     void calibrate();
     void autotune();
     void steer();
+    void rawCommandsAreAnswered();
+    void rawCommandsThatChangeAreConfirmed();
     void motors();
     void destructiveTakesASnapshot();
     void everyCommandSpeaksJson_data();
@@ -460,6 +462,39 @@ void TestCtl::steer()
     QVERIFY2(std::abs(pitch + 15) < 3.0, qPrintable(QString::number(pitch)));
 }
 
+void TestCtl::rawCommandsAreAnswered()
+{
+    const Run info = ctl({u"--json"_s, u"raw"_s, u"BOARD_INFO"_s});
+    QCOMPARE(info.exitCode, 0);
+    const QJsonObject answer = info.json().object().value(u"answers"_s).toArray().first().toObject();
+    QCOMPARE(answer.value(u"name"_s).toString(), u"BOARD_INFO"_s);
+    QVERIFY2(answer.value(u"fields"_s).toString().contains(u"firmware 2.59"_s), qPrintable(info.out));
+    // A whole frame, to the byte (errata section 8); and what is live data.
+    QVERIFY(ctl({u"raw"_s, u"3E"_s, u"56"_s, u"00"_s, u"56"_s, u"00"_s}).out.contains(u"firmware 2.59"_s));
+    QVERIFY(ctl({u"raw"_s, u"get_angles"_s}).out.contains(u"GET_ANGLES: "_s));
+    // What the board refuses is told in its words.
+    QVERIFY(ctl({u"raw"_s, u"execute_menu"_s, u"C8"_s, u"--confirmed"_s}).out.contains(u"wrong parameters"_s));
+}
+
+void TestCtl::rawCommandsThatChangeAreConfirmed()
+{
+    QCOMPARE(ctl({u"set"_s, u"pid.roll.p=41"_s}).exitCode, 0);
+    const Run refused = ctl({u"raw"_s, u"USE_DEFAULTS"_s, u"00"_s});
+    QCOMPARE(refused.exitCode, 2);
+    QVERIFY2(refused.err.contains(u"--confirmed"_s), qPrintable(refused.err));
+    QCOMPARE(ctl({u"get"_s, u"pid.roll.p"_s}).out.trimmed(), u"41"_s);
+    QCOMPARE(ctl({u"raw"_s, u"RESET"_s}).exitCode, 2);
+    QCOMPARE(ctl({u"raw"_s, u"NO_SUCH_COMMAND"_s}).exitCode, 2);
+    QCOMPARE(ctl({u"raw"_s, u"3E"_s, u"56"_s}).exitCode, 2);
+    QCOMPARE(ctl({u"raw"_s}).exitCode, 2);
+    const auto snapshots = [this] {
+        return QDir(m_dir->filePath(u"history"_s)).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size();
+    };
+    QVERIFY(snapshots() > 0);
+    QCOMPARE(ctl({u"raw"_s, u"USE_DEFAULTS"_s, u"00"_s, u"--confirmed"_s}).exitCode, 0);
+    QTRY_COMPARE(ctl({u"get"_s, u"pid.roll.p"_s}).out.trimmed(), u"35"_s);
+}
+
 void TestCtl::motors()
 {
     const auto running = [this] {
@@ -500,6 +535,7 @@ void TestCtl::everyCommandSpeaksJson_data()
     row({u"profiles"_s});
     row({u"do"_s, u"help"_s});
     row({u"do"_s, u"angles"_s});
+    row({u"raw"_s, u"help"_s});
     row({u"streams"_s});
     row({u"publish"_s, u"127.0.0.1:9"_s, u"--seconds"_s, u"0.3"_s});
     row({u"measure"_s, u"steps"_s, u"yaw"_s, u"steps=2"_s, u"rest=0.5"_s});

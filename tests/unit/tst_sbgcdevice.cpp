@@ -67,6 +67,7 @@ private slots:
     void adjustablesAreVolatileUntilSaved();
     void steersToAnAngle();
     void speedModeStopsAtTheEnd();
+    void menuHasTheCommandsOfItsFirmware();
     void oldFirmwareSteersAllAxesOrNone();
     void steeringOutOfRangeIsRefused_data();
     void steeringOutOfRangeIsRefused();
@@ -345,6 +346,29 @@ void TestSbgcDevice::speedModeStopsAtTheEnd()
     QCOMPARE(
         bench.device.perform(bench.channel, u"steer"_s, argumentsFor(bench.device, "steer")).error().code,
         ErrorCode::InvalidArgument);
+}
+
+// Commands of later firmware were offered, and sent (errata 4.1).
+void TestSbgcDevice::menuHasTheCommandsOfItsFirmware()
+{
+    for (const int firmware : {2590, 2600, 2738}) {
+        VirtualBoard bench(withFirmware(firmware));
+        QVERIFY(bench.identify());
+        const auto menu = std::find_if(bench.device.actions().begin(), bench.device.actions().end(),
+                                       [](const ActionSpec &action) { return action.key == "menu"_ba; });
+        QVERIFY(menu != bench.device.actions().end());
+        const ArgumentSpec &command = menu->arguments.front();
+        const auto offers = [&command](int entry) {
+            return std::any_of(command.choices.begin(), command.choices.end(),
+                               [entry](const Choice &choice) { return choice.value == entry; });
+        };
+        QVERIFY(offers(18));
+        QCOMPARE(offers(13), firmware >= 2600);
+        QCOMPARE(offers(28), firmware >= 2600);
+        QCOMPARE(offers(60), firmware >= 2680);
+        QCOMPARE(offers(81), firmware >= 2730);
+        QCOMPARE(bool(parseArguments(*menu, {{u"command"_s, u"81"_s}})), firmware >= 2730);
+    }
 }
 
 // The 13-byte form of CONTROL has one mode for all axes (document CMD_CONTROL; errata 3.12): an axis that was
