@@ -21,7 +21,8 @@ public:
     const char *words() const override { return "NAME [HEX...] | HEX... | help"; }
     QString help() const override
     {
-        return u"send one command by its name and bytes, or a whole frame, and tell the answers; \"raw help\" "
+        return u"send one command by its name and bytes, or a whole frame, and tell the answers; \"raw "
+               u"help\" "
                "lists the names"_s;
     }
     const char *example() const override { return "--link serial:/dev/ttyUSB0 raw EXECUTE_MENU 12"; }
@@ -52,9 +53,10 @@ protected:
         const bool restarts = notice && notice->ordersReset(command->bytes);
         if (!m_confirmed && (command->risk >= ActionRisk::Writes || restarts))
             return failure(ErrorCode::InvalidArgument,
-                           (restarts ? u"%1 restarts the board, and what its motors hold falls: confirm it with "
-                                       "--confirmed"_s
-                                     : u"%1 may change what the board keeps: confirm it with --confirmed"_s)
+                           (restarts
+                                ? u"%1 restarts the board, and what its motors hold falls: confirm it with "
+                                  "--confirmed"_s
+                                : u"%1 may change what the board keeps: confirm it with --confirmed"_s)
                                .arg(command->name));
         const auto heard = channel.listen([](const FrameView &) { return true; });
         if (const auto sent = sendRaw(channel, device, *command, history()); !sent)
@@ -78,8 +80,8 @@ private:
         return outcome;
     }
 
-    static Result<CommandOutcome> answers(const Channel &channel, Mailbox &heard, const FrameInspector &inspector,
-                                          const QString &name)
+    static Result<CommandOutcome> answers(const Channel &channel, Mailbox &heard,
+                                          const FrameInspector &inspector, const QString &name)
     {
         CommandOutcome outcome;
         QJsonArray array;
@@ -93,7 +95,8 @@ private:
             const FrameText text = inspector.describeFrame({frame->id, asBytes(frame->payload)}, true);
             if (inspector.isTelemetryFrame(frame->id) && text.name != name)
                 continue;
-            outcome.text += text.fields.isEmpty() ? text.name + u'\n' : u"%1: %2\n"_s.arg(text.name, text.fields);
+            outcome.text
+                += text.fields.isEmpty() ? text.name + u'\n' : u"%1: %2\n"_s.arg(text.name, text.fields);
             array.append(QJsonObject{{u"name"_s, text.name},
                                      {u"fields"_s, text.fields},
                                      {u"bytes"_s, QString::fromLatin1(frame->payload.toHex(' '))}});

@@ -195,8 +195,8 @@ void TestBcflightCtl::stopIsQuickWhereNobodySteers()
     QVERIFY2(best < bestOfStatus + 1400, qPrintable(QString::number(best)));
 }
 
-// The drone sends to whoever sent last (errata 2.1). That somebody gets what is missing is told where all else
-// goes well; a machine that is busy loses packets too, so there it may need another try.
+// The drone sends to whoever sent last (errata 2.1). That somebody gets what is missing is told where all
+// else goes well; a machine that is busy loses packets too, so there it may need another try.
 void TestBcflightCtl::anotherGroundIsTold()
 {
     Run run;

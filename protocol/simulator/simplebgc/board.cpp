@@ -13,6 +13,7 @@ namespace simplebgc {
 
 namespace {
 
+constexpr int kAboveYaw = 2;  // where its frame sensor sits (errata 3.4, FRAME_IMU_POS)
 constexpr double kBootTime = 1.2;  // seconds until the firmware listens again
 constexpr qsizetype kInputBuffer = 256;  // errata 7: a whole message is lost when it is full
 constexpr double kCommandTime = 0.0015;  // errata 7: 1-10 ms to an answer
@@ -68,6 +69,7 @@ void SimulatedBoard::loadDefaults(int profile)
     // The simulated sensor is calibrated on command, not at every start.
     if (const ParameterSpec *skip = spec(u"imu.skip_gyro_calibration"_s))
         skip->write(blocks[Params3], 1);
+    spec(u"imu.frame.position"_s)->write(blocks[Params3], kAboveYaw);
 }
 
 void SimulatedBoard::boot()
@@ -140,6 +142,7 @@ double SimulatedBoard::axisValue(const char *pattern, Axis axis) const
 
 void SimulatedBoard::applyParameters()
 {
+    m_hasFrameSensor = inUse(u"imu.frame.position"_s) != 0;
     for (const Axis axis : kAxes) {
         AxisGains gains;
         gains.p = axisValue("pid.%a.p", axis);

@@ -177,6 +177,7 @@ private:
     bool m_autoPidReports = false;
     ControlCommand m_control{};
     std::array<double, kAxisCount> m_moveSpeed{};
+    bool m_hasFrameSensor = false;  // according to the parameters
     std::array<double, kAxisCount> m_targetSpeed{};  // at which CONTROL turns the targets now
     std::array<double, kAxisCount> m_destination{};
     bool m_taskRunning = false;

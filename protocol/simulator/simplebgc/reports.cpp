@@ -82,7 +82,7 @@ QByteArray SimulatedBoard::realtime(bool extended) const
     for (const Axis axis : kAxes)
         writer.i16(reportedAngle(s.estimate(axis)));
     for (const Axis axis : kAxes)
-        writer.i16(reportedAngle(s.hand().angle(axis)));
+        writer.i16(m_hasFrameSensor ? reportedAngle(s.hand().angle(axis)) : 0);
     for (const Axis axis : kAxes)
         writer.i16(reportedAngle(s.target(axis)));
     writer.u16(800)
