@@ -101,7 +101,7 @@ void OfferBar::showFirst()
     m_text->setText(m_offers.first().text);
     for (const Offer::Choice &choice : m_offers.first().choices) {
         auto *button = new QPushButton(choice.text);
-        button->setObjectName(m_buttons.isEmpty() ? u"primary"_s : QString());
+        button->setObjectName(choice.loses ? u"danger"_s : m_buttons.isEmpty() ? u"primary"_s : QString());
         connect(button, &QPushButton::clicked, this, [this, chosen = choice.chosen] {
             m_offers.removeFirst();
             showFirst();

@@ -106,6 +106,43 @@ bool EditGuide::showRefused()
     return true;
 }
 
+// In the words of its page, where it is shown as well.
+bool EditGuide::showContradiction()
+{
+    const ConfigurationModel &model = std::as_const(m_workspace).configuration();
+    const auto checked = model.edited().checkRules(model.board());
+    if (checked)
+        return false;
+    if (const auto place = checked.error().place) {
+        m_workspace.notifications().report(
+            ErrorText{tr("The text has a mistake, so it is not written."),
+                      tr("Nothing was changed."),
+                      tr("Its page shows the place: mend it there, then try again."),
+                      {},
+                      {}});
+        emit m_workspace.textWanted(*place);
+        return true;
+    }
+    for (const ParameterSpec &spec : model.edited().parameters().all()) {
+        for (int profile = 0; profile < model.edited().identity().profileCount; ++profile) {
+            const bool isNew = !sameValue(model.boardValue(spec, profile), model.value(spec, profile));
+            const QString text = isNew ? contradictionText(model, spec, profile) : QString();
+            if (text.isEmpty())
+                continue;
+            show({EditPlace::Kind::Value, spec.key, profile, 0, {}, {}});
+            m_workspace.notifications().report(
+                ErrorText{u"%1: %2"_s.arg(parameterLabel(spec), text),
+                          tr("Nothing was changed."),
+                          tr("Change one of the two so that both can hold, then write again."),
+                          {},
+                          {}});
+            return true;
+        }
+    }
+    m_workspace.notifications().report(checked.error());
+    return true;
+}
+
 void EditGuide::withdrawWhatIsMended()
 {
     const ConfigurationModel &model = std::as_const(m_workspace).configuration();

@@ -24,6 +24,9 @@ public:
 
     /// Leads to the first text that is no value, and says which one it is. False: there is none.
     bool showRefused();
+    /// Leads to the first value or text that cannot be written beside the others, and says why. False: there
+    /// is none.
+    bool showContradiction();
 
 private:
     void show(const EditPlace &place);

@@ -323,12 +323,8 @@ void MainWindow::review()
     }
     if (m_guide->showRefused() || model.changeCount() == 0)
         return;
-    if (const auto checked = model.edited().checkRules(model.board()); !checked) {
-        m_workspace->notifications().report(checked.error());
-        if (checked.error().place)
-            emit m_workspace->textWanted(*checked.error().place);
+    if (m_guide->showContradiction())
         return;
-    }
     m_review = new ReviewDialog(model.board(), model.edited(), m_workspace->storedWithAWrite(), this);
     m_review->setReplaced(m_workspace->replacedByAWrite());
     m_review->setFlies(m_workspace->notifications().flies());

@@ -32,7 +32,8 @@ QFuture<Confirmations::Outcome> Confirmations::ask(const ActionSpec &action, con
     }
     Offer asked;
     asked.text = tr("“%1” has to be confirmed each time.").arg(label);
-    asked.choices.append({u"%1: %2"_s.arg(tableText(action.confirm), label), goOn});
+    asked.choices.append(
+        {u"%1: %2"_s.arg(tableText(action.confirm), label), goOn, action.risk == ActionRisk::Destroys});
     asked.choices.append(
         {tr("Cancel"), [this, question] { answer(question, failure(ErrorCode::Cancelled)); }});
     m_notifications.ask(asked);

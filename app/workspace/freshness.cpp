@@ -3,6 +3,7 @@
 #include "app/workspace/freshness.h"
 
 #include "protocol/client/replaycontrol.h"
+#include "protocol/device/device.h"
 #include "protocol/session/linkstatistics.h"
 #include "protocol/telemetry/telemetryplan.h"
 #include "protocol/telemetry/telemetrystore.h"
@@ -161,8 +162,11 @@ QString Freshness::troubleText(const QList<int> &channels) const
     if (const auto since = staleSince(channels))
         return (isRepeating() ? tr("Unchanged since %1") : tr("No data since %1"))
             .arg(since->toString(kTimeFormat));
-    if (isWithoutSensor(channels))
-        return tr("The board sees no sensor");
+    if (isWithoutSensor(channels)) {
+        const Device *device = m_client.device();
+        return device && device->flight() ? tr("Not told before a calibration")
+                                          : tr("The board sees no sensor");
+    }
     const auto since = unchangedSince();
     return since ? tr("Unchanged since %1").arg(since->toString(kTimeFormat)) : QString();
 }

@@ -17,6 +17,7 @@ struct Offer
     {
         QString text;
         std::function<void()> chosen;
+        bool loses = false;  ///< something that cannot be had back
     };
     QString text;
     QList<Choice> choices;  ///< the first one is what is usually wanted

@@ -36,6 +36,7 @@ Supervision::Supervision(Hooks hooks)
     , m_rescuer(new QObject)
     , m_timer(new QTimer(m_watcher))
 {
+    m_door->watcher = m_watcher;
     m_thread.setObjectName(u"gimbal-supervisor"_s);
     m_rescueThread.setObjectName(u"gimbal-rescue"_s);
     m_watcher->moveToThread(&m_thread);
@@ -51,6 +52,10 @@ Supervision::Supervision(Hooks hooks)
 
 Supervision::~Supervision()
 {
+    {
+        const std::lock_guard lock(m_door->mutex);
+        m_door->watcher = nullptr;
+    }
     m_control->cancel();
     for (QThread *thread : {&m_rescueThread, &m_thread}) {
         thread->quit();
@@ -212,9 +217,12 @@ void Supervision::stopFor(AlarmReport report)
     report.outcome = AlarmOutcome::Acting;
     if (AlarmReport *kept = find(report.number))
         *kept = report;
-    m_hooks.stop([this, number = report.number](bool proven) {
+    m_hooks.stop([this, door = m_door, number = report.number](bool proven) {
+        const std::lock_guard lock(door->mutex);
+        if (!door->watcher)
+            return;
         QMetaObject::invokeMethod(
-            m_watcher,
+            door->watcher,
             [this, number, proven] {
                 if (AlarmReport *known = find(number)) {
                     known->outcome = proven ? AlarmOutcome::Done : AlarmOutcome::NotProven;

@@ -9,6 +9,9 @@
 #include <QThread>
 #include <QTimer>
 
+#include <memory>
+#include <mutex>
+
 /// What was steered last, noted on any thread; outlives whoever notes it.
 struct SteeringNote
 {
@@ -78,7 +81,15 @@ private:
     /// Of what is over, as soon as nothing more is to be told of it.
     void forgetSettled();
 
+    /// The way back for answers that may come when it is gone: a stop ends with the link, which goes later.
+    struct Door
+    {
+        std::mutex mutex;
+        QObject *watcher = nullptr;
+    };
+
     Hooks m_hooks;
+    std::shared_ptr<Door> m_door = std::make_shared<Door>();
     QThread m_thread;
     QThread m_rescueThread;
     QObject *m_watcher;

@@ -31,6 +31,7 @@ enum class ArmingBar {
     Locked,  ///< the screen was locked
     Idle,  ///< nobody has moved anything for a while
     Emergency,  ///< the motors were stopped
+    CheckOver,  ///< the check of directions for which it was armed has ended
     Changed,  ///< values are being written
     Hung,  ///< the program did not send in time
     Unguarded,  ///< what stops it if this program dies is not there

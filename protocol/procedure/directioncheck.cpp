@@ -18,6 +18,7 @@ constexpr double kStartsLevel = 25;  // degrees, of roll and pitch: tables and h
 constexpr double kMarked = 0.25;  // of the greatest difference
 constexpr double kBack = 12;  // degrees: a step may have begun while it was brought back from the one before
 constexpr double kHeldLevel = 10;  // degrees, while it is armed
+constexpr double kUntouched = 3;  // degrees
 constexpr double kSteady = 0.02;  // share of full output
 constexpr int kSteadyCount = 5;  // looks
 constexpr double kOverNoise = 3;
@@ -83,7 +84,7 @@ void DirectionCheck::await()
 {
     m_sight = Sight::Waiting;
     m_isStarted = m_isStimulated = m_isReady = false;
-    m_restCount = m_idleCount = 0;
+    m_restCount = m_idleCount = m_seenCount = 0;
     m_faster.clear();
 }
 
@@ -229,6 +230,16 @@ void DirectionCheck::rest(const QList<double> &outputs)
     m_isReady = m_restCount >= kSteadyCount;
 }
 
+// Neither tilted nor pushed since it was steady.
+bool DirectionCheck::isUntouched() const
+{
+    bool isStill = true;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis)
+        isStill &= std::abs(m_sticks[axis]) < kStickLevel
+            && std::abs(difference(m_angles[axis], m_start[axis])) < kUntouched;
+    return isStill;
+}
+
 void DirectionCheck::feedOutputs(const QList<double> &outputs)
 {
     if (!isArmedStep() || m_sight == Sight::Seen)
@@ -239,8 +250,25 @@ void DirectionCheck::feedOutputs(const QList<double> &outputs)
     }
     if (!m_isReady)
         return rest(outputs);
-    if (!m_isStimulated)
+    if (!m_isStimulated) {
+        m_seenCount = 0;
+        // A controller that cannot move what it holds sums up: they drift.
+        if (isUntouched())
+            m_rest = outputs;
         return;
+    }
+    const QList<int> faster = compare(outputs);
+    m_seenCount = faster.isEmpty() ? 0 : faster == m_candidates ? m_seenCount + 1 : 1;
+    m_candidates = faster;
+    if (m_seenCount < kSeenCount)
+        return;
+    m_faster = faster;
+    m_sight = Sight::Seen;
+}
+
+// The motors that turn faster than at rest, against the others; none: that cannot be told.
+QList<int> DirectionCheck::compare(const QList<double> &outputs) const
+{
     QList<std::pair<double, int>> changes;
     for (qsizetype motor = 0; motor < outputs.size(); ++motor)
         changes.append({outputs[motor] - m_rest[motor], int(motor) + 1});
@@ -249,16 +277,22 @@ void DirectionCheck::feedOutputs(const QList<double> &outputs)
     const qsizetype size = told > 0 ? told : outputs.size() / 2;
     const double all = changes.last().first - changes.first().first;
     if (size < 1 || size >= changes.size() || all < std::max(kDifference, kOverNoise * m_noise))
-        return;
+        return {};
     const qsizetype from = changes.size() - size;
     if (changes[from].first - changes[from - 1].first < kMarked * all
         || changes.last().first - changes[from].first > (1 - kMarked) * all / 2)
-        return;  // more or fewer than can be
-    m_faster.clear();
+        return {};  // more or fewer than can be
+    QList<int> faster;
     for (qsizetype i = from; i < changes.size(); ++i)
-        m_faster.append(changes[i].second);
-    std::sort(m_faster.begin(), m_faster.end());
-    m_sight = Sight::Seen;
+        faster.append(changes[i].second);
+    std::sort(faster.begin(), faster.end());
+    return faster;
+}
+
+bool DirectionCheck::isReversed() const
+{
+    const auto now = step();
+    return now && now->kind == Kind::StickAnswer && m_isReversed[std::size_t(now->axis)];
 }
 
 void DirectionCheck::answer(bool isRight)

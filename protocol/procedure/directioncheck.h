@@ -59,6 +59,7 @@ public:
     static constexpr double kPush = 0.35;  ///< share of full deflection; a key gives a half
     static constexpr double kStickLevel = 0.1;
     static constexpr int kIdleCount = 4;  ///< looks at outputs, held level
+    static constexpr int kSeenCount = 3;  ///< looks in a row at the same motors
     static constexpr double kMostThrottle = 0.15;  ///< while it is armed for the check
 
     /// @param known what was found before; checking begins with what is missing
@@ -85,6 +86,8 @@ public:
     [[nodiscard]] bool wantsIdle() const { return isArmedStep() && m_idleCount < kIdleCount; }
     /// The outputs were steady: now it may be tilted, or the stick pushed.
     [[nodiscard]] bool isReady() const { return m_isReady; }
+    /// The stick of this step is sent the other way round since it was answered for the wrong motors.
+    [[nodiscard]] bool isReversed() const;
     /// The motors that turned faster than the others when it was tilted, or the stick pushed; from 1. They
     /// stay what they were when they were seen until the question is answered.
     [[nodiscard]] const QList<int> &faster() const { return m_faster; }
@@ -103,6 +106,8 @@ private:
     void await();
     void next();
     void rest(const QList<double> &outputs);
+    [[nodiscard]] bool isUntouched() const;
+    [[nodiscard]] QList<int> compare(const QList<double> &outputs) const;
     void repeat(std::size_t axis);
     [[nodiscard]] bool isAlike(const QList<int> &motors, const QList<int> &others) const;
     [[nodiscard]] std::optional<std::size_t> contradicted(Step step, bool isRight) const;
@@ -115,6 +120,8 @@ private:
     bool m_isStarted = false;
     bool m_isStimulated = false;  // tilted, or the stick is pushed
     QList<int> m_faster;
+    QList<int> m_candidates;  // seen so often in a row
+    int m_seenCount = 0;
     Axes m_angles{};
     Axes m_sticks{};
     bool m_isReady = false;

@@ -129,8 +129,10 @@ Result<ActionReply> Actions::readAngles(const QVariantMap &)
         reply.insert(u"target."_s + axisName(axis), (*angles)[axis].target);
         reply.insert(u"speed."_s + axisName(axis), (*angles)[axis].targetSpeed);
     }
-    // Motor angles come from a later command (document revision 0.6); boards without it still report the
-    // others.
+    // Motor angles come from a later command; boards without it still report the others, and would be waited
+    // for while nobody sees the camera move.
+    if (m_device.m_identity.firmwareNumber < kAnglesExtSince)
+        return reply;
     Request request
         = replyRequest(CommandId::GetAnglesExt, {}, CommandId::GetAnglesExt, 54, Device::kVersion);
     request.retries = 1;

@@ -6,6 +6,10 @@
 
 namespace simplebgc {
 
+/// The first firmware with GET_ANGLES_EXT. Assumed: the document only tells that it came in August 2015,
+/// after 2.55b5 in July.
+inline constexpr int kAnglesExtSince = 2556;
+
 /// Command numbers (document "Command ID definitions", errata 2). Incoming and outgoing share numbers: 67 is
 /// CONTROL towards the board and CONFIRM from it.
 enum class CommandId : std::uint8_t {

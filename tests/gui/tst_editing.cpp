@@ -44,6 +44,8 @@ private slots:
     void nothingMovesUnderTheSlider();
     void onlyOwnLiveValuesAreInUseAgain();
     void undoLeadsToTheField();
+    void contradictionIsShownAndNotWritten();
+    void whatIsNotStoredAnywhereIsNotUnstored();
     void undoLeadsToAnotherProfile();
     void undoLeadsToTheName();
     void undoStaysInTheTable();
@@ -269,6 +271,52 @@ void TestEditing::undoLeadsToTheField()
 }
 
 // The board goes on with the profile that it uses.
+// A pin that puts out a servo's signal is no input: shown at both fields, and not written.
+void TestEditing::contradictionIsShownAndNotWritten()
+{
+    WindowRig rig;
+    QVERIFY(rig.open(u"sim:simplebgc"_s));
+    auto *page = rig.page<ParametersPage>();
+    const ParameterSpec &source = rig.spec(u"rc.map.yaw"_s);
+    const ParameterSpec &servo = rig.spec(u"service.servo1.source"_s);
+    page->reveal(source);
+    const auto isMarked = [page](const ParameterSpec &spec) {
+        ValueEditor *editor = page->form()->editor(spec.id);
+        return editor && editor->control()->property("conflict").toBool()
+            && editor->control()->toolTip().contains(u"servo's signal"_s);
+    };
+    QVERIFY(rig.workspace().edits().edit(source.id, 0, 3));
+    QVERIFY(!isMarked(source));
+    QVERIFY(rig.workspace().edits().edit(servo.id, 0, 1));
+    QVERIFY(isMarked(source));
+    page->reveal(servo);
+    QVERIFY(isMarked(servo));
+    QStringList told;
+    connect(&rig.workspace().notifications(), &Notifications::problem, this,
+            [&told](const ErrorText &text) { told.append(text.oneLine()); });
+    rig.window().review();
+    QVERIFY(!rig.window().findChild<ReviewDialog *>());
+    QTRY_COMPARE(told.size(), 1);
+    QVERIFY2(told.first().contains(u"Contradicts"_s) && told.first().contains(u"servo's signal"_s),
+             qPrintable(told.first()));
+    QVERIFY(rig.workspace().edits().edit(servo.id, 0, 0));
+    QVERIFY(!isMarked(servo));
+    rig.window().review();
+    QTRY_VERIFY(rig.window().findChild<ReviewDialog *>());
+}
+
+// Firmware before 2.56 has no PARAMS_EXT2 and live variables of it all the same: nobody has set them.
+void TestEditing::whatIsNotStoredAnywhereIsNotUnstored()
+{
+    WindowRig rig;
+    QVERIFY(rig.open(u"sim:simplebgc?firmware=2.43b9"_s));
+    rig.workspace().live().read();
+    QTRY_VERIFY(rig.workspace().live().value(rig.spec(u"pid.roll.p"_s).id));
+    QVERIFY(rig.isSettled());
+    QVERIFY(rig.workspace().live().unsaved().empty());
+    QVERIFY(!rig.workspace().isUnstored());
+}
+
 void TestEditing::undoLeadsToAnotherProfile()
 {
     WindowRig rig;

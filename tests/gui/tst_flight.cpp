@@ -351,6 +351,11 @@ void TestFlight::directionsAreCheckedThenItFlies()
     QTRY_VERIFY_WITH_TIMEOUT(!card->isChecking(), kPatience);
     QCOMPARE(card->found().level, CheckedDirections::Level::All);
     QCOMPARE(card->found().sticks, (std::array{1, 1, -1}));
+    // It was armed for the check, with little throttle: what comes after begins with the key.
+    QCOMPARE(page().session().phase(), Phase::Open);
+    QCOMPARE(page().session().ended(), ArmingBar::CheckOver);
+    QCOMPARE(page().throttle()->value(), 0);
+    QTRY_VERIFY_WITH_TIMEOUT(!isArmed(), kPatience);
 }
 
 // Never by itself, and not while somebody else has it armed.

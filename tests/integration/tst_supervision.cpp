@@ -77,6 +77,7 @@ private slots:
     void whatDiesAwayIsToldToBeQuiet();
     void newStreamsAreNoSilence_data();
     void newStreamsAreNoSilence();
+    void stopMayBeOpenAtTheEnd();
     void steeredBoardsAreWatched_data();
     void steeredBoardsAreWatched();
     void whatIsNotWatchedIsNamed_data();
@@ -461,6 +462,17 @@ void TestSupervision::newStreamsAreNoSilence()
     }
     m_client->releaseControl();
     QVERIFY2(m_reports.isEmpty(), qPrintable(QString::number(int(m_reports.value(0).alarm.kind))));
+}
+
+// Its stop is told of by the link, which ends after it: with the sanitizers, what came then hit freed memory.
+void TestSupervision::stopMayBeOpenAtTheEnd()
+{
+    open(u"sim:simplebgc?fault=runs-on%3D1"_s);
+    QVERIFY(boardGoesOn(*m_client, 1.5));
+    QVERIFY(m_links.changeWorld(m_address, u"swapped-axes=1"_s));
+    QTRY_VERIFY(!m_reports.isEmpty() && m_reports.last().action == AlarmAction::MotorsOff);
+    QVERIFY(m_reports.last().outcome != AlarmOutcome::Done);
+    m_client->shutDown();
 }
 
 void TestSupervision::steeredBoardsAreWatched_data()

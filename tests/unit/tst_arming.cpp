@@ -138,6 +138,8 @@ private slots:
     void stickIsReversedOnce();
     void answersBindEachOther();
     void whatIsAskedStays();
+    void oneLookIsNoAnswer();
+    void driftIsNoAnswer();
     void foundIsKept();
     void configurationDecidesWhetherItIsKnown();
 
@@ -507,6 +509,14 @@ DirectionCheck withSigns()
 }
 
 using Motors = QList<double>;
+
+/// As often as it takes to be seen.
+void look(DirectionCheck &check, const Motors &outputs)
+{
+    for (int i = 0; i < DirectionCheck::kSeenCount; ++i)
+        check.feedOutputs(outputs);
+}
+
 const std::array<Motors, 3> kAnswers{Motors{0.1, 0.12, 0.1, 0.12}, Motors{0.12, 0.12, 0.1, 0.1},
                                      Motors{0.12, 0.1, 0.1, 0.12}};
 
@@ -531,7 +541,7 @@ void tiltArmed(DirectionCheck &check, std::size_t axis, const Motors &outputs)
     DirectionCheck::Axes angles{};
     angles[axis] = 20 * check.found().angles[axis];
     check.feedAngles(angles);
-    check.feedOutputs(outputs);
+    look(check, outputs);
 }
 
 void answerTilt(DirectionCheck &check, std::size_t axis, bool isRight)
@@ -549,7 +559,7 @@ void answerStick(DirectionCheck &check, std::size_t axis, bool isRight)
     Motors outputs = kAnswers[axis];
     for (double &output : outputs)
         output = isRight ? 0.22 - output : output;
-    check.feedOutputs(outputs);
+    look(check, outputs);
     check.answer(isRight);
 }
 
@@ -629,7 +639,9 @@ void TestArming::stickIsReversedOnce()
     DirectionCheck check = withSigns();
     for (std::size_t axis = 0; axis < 3; ++axis)
         answerTilt(check, axis, true);
+    QVERIFY(!check.isReversed());
     answerStick(check, 0, false);
+    QVERIFY(check.isReversed());
     QCOMPARE(check.stepNumber(), 9);  // once more, the other way
     QCOMPARE(check.found().sticks, (std::array{-1, 1, 1}));
     answerStick(check, 0, true);
@@ -648,7 +660,7 @@ void TestArming::answersBindEachOther()
     // The same motors turn clockwise and counter-clockwise.
     settle(check);
     check.feedSticks({0, 0, 0.9});
-    check.feedOutputs(kAnswers[2]);
+    look(check, kAnswers[2]);
     check.answer(true);
     QVERIFY(check.isContradicted());
     QCOMPARE(check.stepNumber(), 8);
@@ -684,6 +696,31 @@ void TestArming::whatIsAskedStays()
     QCOMPARE(check.sight(), Sight::Waiting);
     tiltArmed(check, 1, kAnswers[1]);
     QCOMPARE(check.faster(), (QList<int>{1, 2}));
+}
+
+// What was read between two of the drone's answers named motors that had not even turned.
+void TestArming::oneLookIsNoAnswer()
+{
+    DirectionCheck check = withSigns();
+    settle(check);
+    check.feedAngles({20 * double(check.found().angles[0]), 0, 0});
+    check.feedOutputs(kAnswers[1]);
+    check.feedOutputs(kAnswers[1]);
+    QCOMPARE(check.sight(), Sight::Waiting);
+    look(check, kAnswers[0]);
+    QCOMPARE(check.faster(), (QList<int>{2, 4}));
+}
+
+// A controller sums up what it cannot move: at rest, its outputs drift apart.
+void TestArming::driftIsNoAnswer()
+{
+    DirectionCheck check = withSigns();
+    settle(check);
+    for (int i = 1; i <= 20; ++i)
+        check.feedOutputs({0.1 + 0.004 * i, 0.1 + 0.004 * i, 0.1, 0.1});
+    check.feedAngles({20 * double(check.found().angles[0]), 0, 0});
+    look(check, {0.18, 0.2, 0.1, 0.12});
+    QCOMPARE(check.faster(), (QList<int>{2, 4}));
 }
 
 void TestArming::foundIsKept()

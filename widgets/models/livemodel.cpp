@@ -102,7 +102,9 @@ std::optional<double> LiveModel::stored(int parameter) const
 bool LiveModel::isChanged(int parameter) const
 {
     const auto now = value(parameter);
-    return now && !sameValue(stored(parameter), now);
+    const auto held = stored(parameter);
+    // A board that lacks the block does not tell what it has stored: only what was set here is another.
+    return now && (held ? !sameValue(held, now) : m_own.contains(parameter));
 }
 
 void LiveModel::forget()

@@ -102,8 +102,11 @@ void DirectionCard::begin()
 
 void DirectionCard::cancel()
 {
-    if (m_check)
+    if (m_check) {
+        // First: its limits go with it.
+        emit ending();
         m_hands->putBack();
+    }
     m_check.reset();
     show();
     emit stepChanged();
@@ -113,6 +116,7 @@ void DirectionCard::answer(bool isRight)
 {
     if (!m_check)
         return;
+    emit worked();
     m_check->answer(isRight);
     feed({}, m_session);
 }
@@ -128,6 +132,12 @@ void DirectionCard::feed(const DirectionCheck::Axes &sticks, const Session &sess
     DirectionCheck::Axes angles{};
     for (std::size_t axis = 0; axis < kAxisCount; ++axis)
         angles[axis] = m_workspace.latest(roles.angle[axis]);
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        if (std::abs(std::remainder(angles[axis] - m_seenAngles[axis], 360.0)) > DirectionCheck::kLevel) {
+            m_seenAngles = angles;
+            emit worked();
+        }
+    }
     m_check->feedAngles(angles);
     m_check->feedSticks(sticks);
     QList<double> outputs;
@@ -143,10 +153,12 @@ void DirectionCard::feed(const DirectionCheck::Axes &sticks, const Session &sess
         keepDirections(m_workspace, m_check->found());
     if (isEnded) {
         const auto failed = m_check->failed();
+        emit ending();
         if (failed)
             m_workspace.notifications().report(
                 {tr("%1 answers the wrong way round.").arg(axisLabel(*failed)),
-                 tr("It would turn over as soon as it leaves the ground."),
+                 *failed == Axis::Yaw ? tr("It would spin as soon as it leaves the ground.")
+                                      : tr("It would turn over as soon as it leaves the ground."),
                  tr("Do not fly it. Correct the axes, the motors' places or the mixing in the configuration "
                     "text, then check again."),
                  {}});
@@ -311,6 +323,10 @@ QString DirectionCard::sees() const
     if (const QString text = lacking(); !text.isEmpty())
         return again + text;
     if (m_check->isArmedStep()) {
+        if (m_check->isReversed() && !m_check->isReady())
+            return tr(
+                "Turned round: from now on this stick is sent the other way. Let it go until the motors "
+                "turn steadily, then push it again.");
         return again
             + (m_check->isReady()
                    ? tr("No motor turns faster than the others yet.")

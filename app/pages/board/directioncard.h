@@ -48,6 +48,10 @@ public:
 signals:
     /// It has begun, ended, or is at another step.
     void stepChanged();
+    /// It ends, however it does, while it can still be armed for it.
+    void ending();
+    /// The operator works at it: an answer, a tilt.
+    void worked();
 
 private:
     [[nodiscard]] bool isAsking() const;
@@ -63,6 +67,7 @@ private:
     Workspace &m_workspace;
     Session m_session;
     std::optional<DirectionCheck> m_check;
+    DirectionCheck::Axes m_seenAngles{};  // when it was last said that it is worked at
     int m_shownStep = -1;
     QLabel *m_what;
     QLabel *m_sees;

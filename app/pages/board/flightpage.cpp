@@ -278,6 +278,9 @@ void FlightPage::connectAll()
             disarm(ArmingBar::Changed);
     });
     connect(m_directions, &DirectionCard::stepChanged, this, &FlightPage::showState);
+    connect(m_directions, &DirectionCard::ending, this, [this] { disarm(ArmingBar::CheckOver); });
+    connect(m_directions, &DirectionCard::worked, this, &FlightPage::touch);
+    connect(m_steps->startButton(), &QPushButton::clicked, this, &FlightPage::takeSticks);
     connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
         if (state != Qt::ApplicationActive)
             disarm(ArmingBar::Focus);
@@ -406,6 +409,7 @@ void FlightPage::disarm(ArmingBar why)
 void FlightPage::stopSending()
 {
     m_send.stop();
+    leaveSticks();
     m_gamepad->end();
     m_steps->cancel();
     workspace().setFlown(false);
@@ -530,7 +534,7 @@ void FlightPage::showState()
     m_steps->setVisible(isOpen && m_session.isHeld() && !m_directions->isChecking() && isChecked);
     m_throttle->setMaximum(m_directions->isChecking() ? int(kFullStick * DirectionCheck::kMostThrottle)
                                                       : kFullStick);
-    m_steps->setReady(m_session.phase() == ArmingSession::Phase::Armed);
+    m_steps->setReady(m_session.phase() == ArmingSession::Phase::Armed, sticks().throttle);
     m_why->setText(stateText());
     m_calibrate->setVisible(m_tile->state() == ArmedState::State::NotCalibrated);
     m_arm->setEnabled(isOpen && now.isLinked && !m_session.isArming());

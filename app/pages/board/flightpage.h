@@ -81,6 +81,7 @@ private:
     void release();
     void tick();
     void takeSticks();
+    void leaveSticks();
     void climb(TimePoint now);
     void stopSending();
     void showNow();

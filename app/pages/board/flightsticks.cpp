@@ -81,6 +81,16 @@ SteeringSetpoint FlightPage::setpoint(bool isArmed) const
     return wanted;
 }
 
+// What was pressed for the sticks must not act on what gets the keyboard after them.
+void FlightPage::leaveSticks()
+{
+    for (const QWidget *stick : {static_cast<QWidget *>(m_pad), static_cast<QWidget *>(m_yaw),
+                                 static_cast<QWidget *>(m_throttle), static_cast<QWidget *>(m_disarm)}) {
+        if (stick->hasFocus())
+            setFocus(Qt::OtherFocusReason);
+    }
+}
+
 // However fast the keyboard repeats its keys.
 void FlightPage::climb(TimePoint now)
 {

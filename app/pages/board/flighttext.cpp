@@ -64,6 +64,7 @@ QString FlightPage::barText(ArmingBar bar)
     case ArmingBar::Locked: return tr("the screen was locked.");
     case ArmingBar::Idle: return tr("nothing was moved for too long.");
     case ArmingBar::Emergency: return tr("the motors were stopped.");
+    case ArmingBar::CheckOver: return tr("the check of its directions is over.");
     case ArmingBar::Changed: return tr("values are being set.");
     case ArmingBar::Hung: return tr("this program did not send in time.");
     case ArmingBar::Unguarded:

@@ -24,6 +24,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr std::size_t kShownBefore = 4;
+constexpr double kLeastThrottle = 0.05;
 constexpr double kGainStep = 0.05;  // of the value, by the arrows
 constexpr int kGainDecimals = 8;
 constexpr int kFigureDecimals = 2;
@@ -143,9 +144,11 @@ void StickStepCard::onGain(std::size_t gain)
     m_workspace.live().setValue(m_parameters[gain], double(float(m_gains[gain]->value())));
 }
 
-void StickStepCard::setReady(bool ready)
+void StickStepCard::setReady(bool isArmed, double throttle)
 {
-    m_start->setEnabled(ready && !isRunning());
+    const bool turns = throttle >= kLeastThrottle;
+    m_start->setEnabled(isArmed && turns && !isRunning());
+    m_start->setText(isArmed && !turns ? tr("Push the stick: throttle first") : tr("Push the stick"));
 }
 
 void StickStepCard::start(TimePoint now)

@@ -27,8 +27,8 @@ public:
 
     explicit StickStepCard(Workspace &workspace, QWidget *parent = nullptr);
 
-    /// It may be started.
-    void setReady(bool ready);
+    /// It may be started: motors that stand answer nothing. @param throttle 0 to 1
+    void setReady(bool isArmed, double throttle);
     void start(TimePoint now);
     void cancel();
     [[nodiscard]] bool isRunning() const { return m_begun.has_value(); }

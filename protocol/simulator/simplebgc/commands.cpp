@@ -18,8 +18,6 @@ constexpr double kLatency = 0.0015;  // seconds from command to the first byte o
 constexpr double kWriteLatency = 0.030;  // EEPROM write (errata 7: tens of ms)
 constexpr double kCalibrationTime = 4.0;
 constexpr int kStreamsFrom = 2590;  // firmware
-// Assumed: the document only tells that GET_ANGLES_EXT came in August 2015, after 2.55b5 in July.
-constexpr int kAnglesExtFrom = 2556;
 constexpr qsizetype kStreamSpace = 512;  // with more than this in the output buffer, streams are skipped
 constexpr int kMaxStreams = 10;
 constexpr int kUnknownFirmware = 9990;
@@ -143,7 +141,7 @@ bool SimulatedBoard::handleRead(const Frame &frame)
             reply(frame, CommandId::GetAngles, polled(CommandId::GetAngles, encodeAngles(angles())));
         return true;
     case CommandId::GetAnglesExt:
-        if (m_options.firmware < kAnglesExtFrom)
+        if (m_options.firmware < kAnglesExtSince)
             return false;
         if (hasSize(frame, 0))
             reply(frame, CommandId::GetAnglesExt, encodeAnglesExt(angles()));
