@@ -2879,6 +2879,14 @@
         <source>Checked, until another connection is made: it has no serial number. With a name (Backups) it is kept.</source>
         <translation>Geprüft, bis eine andere Verbindung aufgebaut wird: Die Drohne hat keine Seriennummer. Mit einem Namen (Sicherungen) bleibt die Prüfung gültig.</translation>
     </message>
+    <message>
+        <source>It would spin as soon as it leaves the ground.</source>
+        <translation>Sie würde sich um sich selbst drehen, sobald sie abhebt.</translation>
+    </message>
+    <message>
+        <source>Turned round: from now on this stick is sent the other way. Let it go until the motors turn steadily, then push it again.</source>
+        <translation>Umgedreht: Von jetzt an wird dieser Knüppel andersherum gesendet. Lassen Sie ihn los, bis die Motoren gleichmäßig drehen, und drücken Sie ihn dann noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>DocumentsPage</name>
@@ -3010,6 +3018,22 @@
     <message>
         <source>%1: “%2” is no value of it (%3). Change it, or press Esc in its field; then review.</source>
         <translation>%1: „%2“ ist kein Wert dafür (%3). Ändern Sie ihn, oder drücken Sie Esc in seinem Feld; prüfen Sie dann.</translation>
+    </message>
+    <message>
+        <source>The text has a mistake, so it is not written.</source>
+        <translation>Der Text hat einen Fehler und wird deshalb nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Its page shows the place: mend it there, then try again.</source>
+        <translation>Seine Seite zeigt die Stelle: Verbessern Sie sie dort, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Change one of the two so that both can hold, then write again.</source>
+        <translation>Einen der beiden so ändern, dass beide gelten können, dann noch einmal schreiben.</translation>
     </message>
 </context>
 <context>
@@ -4658,6 +4682,10 @@
         <source>Control has ended: %1</source>
         <translation>Steuerung beendet: %1</translation>
     </message>
+    <message>
+        <source>the check of its directions is over.</source>
+        <translation>die Prüfung ihrer Richtungen ist zu Ende.</translation>
+    </message>
 </context>
 <context>
     <name>FootBar</name>
@@ -4742,6 +4770,10 @@
     <message>
         <source>Unchanged since %1</source>
         <translation>Unverändert seit %1</translation>
+    </message>
+    <message>
+        <source>Not told before a calibration</source>
+        <translation>Vor einer Kalibrierung nicht gemeldet</translation>
     </message>
 </context>
 <context>
@@ -9086,8 +9118,12 @@ Spitze %2°</translation>
         <translation>Anstieg %1, Überschwingen %2 %, beruhigt nach %3.</translation>
     </message>
     <message>
-        <source>In the text: %1</source>
-        <translation>Im Text: %1</translation>
+        <source>In the text&apos;s numbers: %1</source>
+        <translation>In Zahlen des Textes: %1</translation>
+    </message>
+    <message>
+        <source>Push the stick: throttle first</source>
+        <translation>Knüppel drücken: erst Gas geben</translation>
     </message>
 </context>
 <context>

@@ -467,8 +467,9 @@ void TestSupervision::newStreamsAreNoSilence()
 // Its stop is told of by the link, which ends after it: with the sanitizers, what came then hit freed memory.
 void TestSupervision::stopMayBeOpenAtTheEnd()
 {
-    open(u"sim:simplebgc?fault=runs-on%3D1"_s);
+    open(u"sim:simplebgc"_s);
     QVERIFY(boardGoesOn(*m_client, 1.5));
+    QVERIFY(m_links.changeWorld(m_address, u"runs-on=1"_s));
     QVERIFY(m_links.changeWorld(m_address, u"swapped-axes=1"_s));
     QTRY_VERIFY(!m_reports.isEmpty() && m_reports.last().action == AlarmAction::MotorsOff);
     QVERIFY(m_reports.last().outcome != AlarmOutcome::Done);

@@ -9,6 +9,7 @@
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/theme.h"
 
+#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
@@ -17,6 +18,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -26,6 +28,18 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int kResetWidth = 18;
+
+/// Its list is as wide as its texts: the field itself has no room for the long ones.
+class ChoiceBox final : public QComboBox
+{
+public:
+    void showPopup() override
+    {
+        const int wide = view()->sizeHintForColumn(0) + view()->verticalScrollBar()->sizeHint().width();
+        view()->setMinimumWidth(std::max(width(), wide));
+        QComboBox::showPopup();
+    }
+};
 
 void markChanged(QWidget *widget, bool changed)
 {
@@ -114,7 +128,7 @@ QWidget *ValueEditor::makeNumber()
 
 QWidget *ValueEditor::makeChoice(int firmware)
 {
-    m_choice = new QComboBox;
+    m_choice = new ChoiceBox;
     m_choice->setFocusPolicy(Qt::StrongFocus);
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_choice->setMinimumContentsLength(6);

@@ -132,7 +132,7 @@ void StickStepCard::fillGains()
         if (const auto figure = shown.board().textFigure(spec, *value))
             figures.append(numberText(*figure, kFigureDecimals));
     }
-    m_figures->setText(tr("In the text: %1").arg(figures.join(u" · "_s)));
+    m_figures->setText(tr("In the text's numbers: %1").arg(figures.join(u" · "_s)));
     m_figures->setVisible(!figures.isEmpty());
     m_filling = false;
 }

@@ -72,8 +72,8 @@ const std::vector<Row> &rows()
          [](Faults &f, double v) { f.shake = v; }},
         {"swapped-axes", 0, 1, "simplebgc storm32", "roll and pitch motors are swapped",
          [](Faults &f, double v) { f.swappedAxes = v != 0; }},
-        {"pose", 0, 7, "", "0 in the gimbal; 1-6 the camera lies still with Z, -Z, X, -X, Y, -Y up; 7 tilted 45 degrees down (a drone in your hands: level, right "
-         "side down, left, nose down, up, turned right, left)",
+        {"pose", 0, 7, "", "0 in the gimbal; 1-6 the camera lies still with Z, -Z, X, -X, Y, -Y up; 7 tilted 45 degrees down (a drone: 0 as it is, 1-7 in your "
+         "hands: level, right side down, left, nose down, up, turned right, left)",
          [](Faults &f, double v) { f.pose = int(v); }},
         {"mount", 0, 23, "storm32", "how the sensor sits on the camera, as the board counts orientations",
          [](Faults &f, double v) { f.mount = int(v); }},
