@@ -3020,6 +3020,10 @@
         <translation>%1: „%2“ ist kein Wert dafür (%3). Ändern Sie ihn, oder drücken Sie Esc in seinem Feld; prüfen Sie dann.</translation>
     </message>
     <message>
+        <source>The text has a mistake in line %1, so it is not written.</source>
+        <translation>Der Text hat in Zeile %1 einen Fehler und wird deshalb nicht geschrieben.</translation>
+    </message>
+    <message>
         <source>The text has a mistake, so it is not written.</source>
         <translation>Der Text hat einen Fehler und wird deshalb nicht geschrieben.</translation>
     </message>

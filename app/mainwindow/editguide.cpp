@@ -114,12 +114,13 @@ bool EditGuide::showContradiction()
     if (checked)
         return false;
     if (const auto place = checked.error().place) {
-        m_workspace.notifications().report(
-            ErrorText{tr("The text has a mistake, so it is not written."),
-                      tr("Nothing was changed."),
-                      tr("Its page shows the place: mend it there, then try again."),
-                      {},
-                      {}});
+        m_workspace.notifications().report(ErrorText{
+            (place->line > 0 ? tr("The text has a mistake in line %1, so it is not written.").arg(place->line)
+                             : tr("The text has a mistake, so it is not written.")),
+            tr("Nothing was changed."),
+            tr("Its page shows the place: mend it there, then try again."),
+            {},
+            {}});
         emit m_workspace.textWanted(*place);
         return true;
     }
