@@ -61,6 +61,12 @@ CommandOutcome doneOutcome(const QString &key, const ActionReply &reply, bool an
     return outcome;
 }
 
+QString riskName(ActionRisk risk)
+{
+    constexpr std::array kNames{"safe", "moves", "writes", "destroys"};
+    return QLatin1String(kNames[std::size_t(risk)]);
+}
+
 bool mayLetGo(const ActionSpec &action)
 {
     return action.letsGo

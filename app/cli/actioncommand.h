@@ -6,6 +6,8 @@
 
 /// The board's action with this key; null if it has none.
 [[nodiscard]] const ActionSpec *actionNamed(const Device &device, const QString &key);
+/// "safe", "moves", "writes" or "destroys".
+[[nodiscard]] QString riskName(ActionRisk risk);
 /// Whether it, or one of its entries, cuts the motors' current.
 [[nodiscard]] bool mayLetGo(const ActionSpec &action);
 /// What a command says of an action that was performed. One that no board answers is sent; whether it was

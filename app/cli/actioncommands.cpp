@@ -266,12 +266,11 @@ private:
 
     static Result<CommandOutcome> help(Device &device)
     {
-        constexpr std::array<const char *, 4> risks{"safe", "moves", "writes", "destroys"};
         CommandOutcome outcome;
         QJsonArray array;
         for (const ActionSpec &action : device.actions()) {
             const QString key = QLatin1String(action.key);
-            const QString risk = QLatin1String(risks[std::size_t(action.risk)]);
+            const QString risk = riskName(action.risk);
             outcome.text += u"%1 %2 %3\n"_s.arg(key.leftJustified(20), risk.leftJustified(9),
                                                 QString::fromUtf8(action.help));
             QJsonArray arguments;
@@ -300,7 +299,7 @@ private:
                 const auto choice
                     = std::find_if(choices.begin(), choices.end(),
                                    [&entry](const Choice &each) { return each.value == entry.value; });
-                const QString other = QLatin1String(risks[std::size_t(entry.risk)]);
+                const QString other = riskName(entry.risk);
                 if (choice == choices.end() || other == risk)
                     continue;
                 entries.append(QJsonObject{{u"entry"_s, QString::fromUtf8(choice->name)},

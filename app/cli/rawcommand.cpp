@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command.h"
+#include "app/cli/actioncommand.h"
 #include "protocol/base/bytes.h"
 #include "protocol/procedure/safeaction.h"
 #include "protocol/session/channel.h"
@@ -21,9 +21,7 @@ public:
     const char *words() const override { return "NAME [HEX...] | HEX... | help"; }
     QString help() const override
     {
-        return u"send one command by its name and bytes, or a whole frame, and tell the answers; \"raw "
-               u"help\" "
-               "lists the names"_s;
+        return u"send one command by name or in hex and tell the answers; \"raw help\" lists the names"_s;
     }
     const char *example() const override { return "--link serial:/dev/ttyUSB0 raw EXECUTE_MENU 12"; }
     QList<CommandOption> options() override
@@ -67,12 +65,11 @@ protected:
 private:
     static CommandOutcome names(const FrameInspector &inspector)
     {
-        constexpr std::array<const char *, 4> kRisks{"safe", "moves", "writes", "destroys"};
         CommandOutcome outcome;
         QJsonArray array;
         for (const QString &name : inspector.commandNames()) {
             const auto command = inspector.parseCommand(name);
-            const QString risk = command ? QLatin1String(kRisks[std::size_t(command->risk)]) : u"-"_s;
+            const QString risk = command ? riskName(command->risk) : u"-"_s;
             outcome.text += u"%1 %2\n"_s.arg(name.leftJustified(28), risk);
             array.append(QJsonObject{{u"name"_s, name}, {u"risk"_s, risk}});
         }
