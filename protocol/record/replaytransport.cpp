@@ -55,8 +55,12 @@ void ReplayTransport::close()
 
 void ReplayTransport::write(QByteArrayView bytes)
 {
-    // As on a real link, the answer does not arrive before the caller has returned.
+    // As on a real link, the answer does not arrive before the caller has returned. Until then nothing is
+    // played: a reader of letters and bare data would take what is recorded for the answer, or the answer,
+    // after enough of it, for noise.
+    ++m_unanswered;
     QTimer::singleShot(0, this, [this, request = bytes.toByteArray()] {
+        --m_unanswered;
         if (!m_open)
             return;
         emit bytesWritten(request.size());
@@ -140,7 +144,7 @@ void ReplayTransport::deliver()
 {
     for (; m_open && m_next < m_recording.pieces.size(); ++m_next) {
         const RecordedPiece &piece = m_recording.pieces[m_next];
-        if (piece.at > m_position)
+        if (piece.at > m_position || m_unanswered > 0)
             return;
         const TimePoint at = m_started + std::chrono::nanoseconds(piece.at - m_begin);
         if (piece.kind == RecordedPiece::Kind::Received)

@@ -40,6 +40,7 @@ private:
     qint64 m_position;  // nanoseconds of the recording
     QList<ReplayGap> m_gaps;
     std::size_t m_next = 0;  // piece that is due next
+    int m_unanswered = 0;  // writes whose answer comes when the caller has returned
     QTimer m_timer;
     TimePoint m_started{};  // the time assigned to m_begin; all other times keep their distance from it
     qint64 m_begin = 0;

@@ -61,6 +61,7 @@ private slots:
     void garbageIsReadPast();
     void leftOutHasItsTimes();
     void replayAnswersNothingFromBehindAGap();
+    void answersComeBeforeWhatIsPlayed();
     void polledSamplesHaveAGapToo();
 
 private:
@@ -197,6 +198,32 @@ void TestDamagedRecording::replayAnswersNothingFromBehindAGap()
     QTRY_COMPARE(written.count(), 3);
     QCOMPARE(answers, QByteArray("third answer"));
     QCOMPARE(replay.state().gaps.size(), qsizetype(1));
+}
+
+// A paused program plays a second at once, and the answer to what it asks must not stand behind that.
+void TestDamagedRecording::answersComeBeforeWhatIsPlayed()
+{
+    Recording recording;
+    recording.pieces = {{Kind::Sent, 0, "g"}, {Kind::Received, 1, "values"}, {Kind::Reply, 1, "values"}};
+    for (int i = 2; i < 200; i += 2) {
+        recording.pieces.push_back({Kind::Sent, i, "d"});
+        recording.pieces.push_back({Kind::Received, i + 1, "data"});
+    }
+    ReplayTransport replay(recording, 1, 0);
+    QByteArrayList order;
+    connect(&replay, &Transport::received, this,
+            [&](QByteArrayView bytes) { order += bytes.toByteArray(); });
+    connect(&replay, &Transport::replayed, this,
+            [&](QByteArrayView bytes) { order += bytes.toByteArray(); });
+    replay.open();
+    replay.play();
+    order.clear();
+    replay.write("g");
+    replay.forwardTo(1);
+    QCOMPARE(order, QByteArrayList{});
+    QTRY_COMPARE(order.size(), int(recording.pieces.size()) - 1);
+    QCOMPARE(order.first(), QByteArray("values"));
+    QCOMPARE(order.count("values"), 2);
 }
 
 // Nothing but the recording itself shows that a few polled samples are missing.
