@@ -270,8 +270,15 @@ void TestMotion::calibrationShaken()
     QTRY_VERIFY(measured(page) > 0);
     workspace().changeWorld(u"shake=8"_s);
     workspace().changeWorld(u"pose=0"_s);  // somebody takes it in his hands
-    QTRY_COMPARE(page->step(), CalibrationPage::Step::Result);
-    // The board gave up; the wizard does not call that good.
+    QTRY_VERIFY(page->step() == CalibrationPage::Step::Result
+                || page->step() == CalibrationPage::Step::Choose);
+    // The board gave up. What the sensor shows in a hand is judged poor, or, where the hand was still for the
+    // moment of the comparison, found to be what it was before: nobody calls it good.
+    if (page->step() == CalibrationPage::Step::Choose) {
+        const QString said = m_rig->window().messageBar()->text();
+        QVERIFY2(said.contains(u"did not carry it out"_s), qPrintable(said));
+        return;
+    }
     QStringList texts;
     for (const QLabel *label : page->findChildren<QLabel *>())
         texts.append(label->text());
