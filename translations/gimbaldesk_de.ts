@@ -2214,6 +2214,14 @@
         <source>Messages so far</source>
         <translation>Bisherige Meldungen</translation>
     </message>
+    <message>
+        <source>Open a file</source>
+        <translation>Datei öffnen</translation>
+    </message>
+    <message>
+        <source>configuration, recording, black box</source>
+        <translation>Konfiguration, Aufzeichnung, Blackbox</translation>
+    </message>
 </context>
 <context>
     <name>Confirmations</name>
@@ -4295,10 +4303,6 @@
     <message>
         <source>No file is chosen.</source>
         <translation>Keine Datei gewählt.</translation>
-    </message>
-    <message>
-        <source>The file is empty.</source>
-        <translation>Die Datei ist leer.</translation>
     </message>
     <message>
         <source>%1, checksum %2</source>
@@ -16671,6 +16675,858 @@ Spitze %2°</translation>
     <message>
         <source>two motors cannot be at the same output</source>
         <translation>zwei Motoren können nicht am selben Ausgang sein</translation>
+    </message>
+    <message>
+        <source>0 to 255 on a logarithmic scale of 255 steps.</source>
+        <translation>0 bis 255 auf einer logarithmischen Skala mit 255 Schritten.</translation>
+    </message>
+    <message>
+        <source>0.1 to 50 on a logarithmic scale of 255 steps.</source>
+        <translation>0,1 bis 50 auf einer logarithmischen Skala mit 255 Schritten.</translation>
+    </message>
+    <message>
+        <source>Above the outer motor</source>
+        <translation>Über dem äußeren Motor</translation>
+    </message>
+    <message>
+        <source>Acceleration limit by itself: pitch</source>
+        <translation>Beschleunigungsgrenze von selbst: Pitch</translation>
+    </message>
+    <message>
+        <source>Acceleration limit by itself: roll</source>
+        <translation>Beschleunigungsgrenze von selbst: Roll</translation>
+    </message>
+    <message>
+        <source>Acceleration limit by itself: yaw</source>
+        <translation>Beschleunigungsgrenze von selbst: Yaw</translation>
+    </message>
+    <message>
+        <source>Acceleration limit by momentum</source>
+        <translation>Beschleunigungsgrenze nach Trägheit</translation>
+    </message>
+    <message>
+        <source>Accelerometer compensation only</source>
+        <translation>Nur Ausgleich der Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Added to the measured angle.</source>
+        <translation>Wird zum gemessenen Winkel addiert.</translation>
+    </message>
+    <message>
+        <source>After so long a motion by itself is given up.</source>
+        <translation>Nach dieser Zeit wird eine selbsttätige Bewegung aufgegeben.</translation>
+    </message>
+    <message>
+        <source>Analog input %1: replacement</source>
+        <translation>Analogeingang %1: Ersatz</translation>
+    </message>
+    <message>
+        <source>Angle from which on another axis takes over.</source>
+        <translation>Winkel, ab dem eine andere Achse übernimmt.</translation>
+    </message>
+    <message>
+        <source>Angle of the motor when the gimbal is retracted.</source>
+        <translation>Winkel des Motors, wenn der Gimbal eingezogen ist.</translation>
+    </message>
+    <message>
+        <source>Attitude sensor outside the board.</source>
+        <translation>Lagesensor außerhalb der Steuerung.</translation>
+    </message>
+    <message>
+        <source>Axis of the external sensor that points right.</source>
+        <translation>Achse des äußeren Sensors, die nach rechts zeigt.</translation>
+    </message>
+    <message>
+        <source>Axis of the external sensor that points up.</source>
+        <translation>Achse des äußeren Sensors, die nach oben zeigt.</translation>
+    </message>
+    <message>
+        <source>Below the middle motor</source>
+        <translation>Unter dem mittleren Motor</translation>
+    </message>
+    <message>
+        <source>Below the outer motor</source>
+        <translation>Unter dem äußeren Motor</translation>
+    </message>
+    <message>
+        <source>Bits 6 and 7, without documented meaning. Kept as read.</source>
+        <translation>Bits 6 und 7, ohne beschriebene Bedeutung. Bleiben wie gelesen.</translation>
+    </message>
+    <message>
+        <source>Bits of the encoder beyond 12.</source>
+        <translation>Bits des Encoders über 12 hinaus.</translation>
+    </message>
+    <message>
+        <source>CAN sensor&apos;s servo %1</source>
+        <translation>Servo %1 des CAN-Sensors</translation>
+    </message>
+    <message>
+        <source>CAN sensor&apos;s servo 1 as duty cycle</source>
+        <translation>Servo 1 des CAN-Sensors als Tastverhältnis</translation>
+    </message>
+    <message>
+        <source>CAN sensor&apos;s servo 2 as duty cycle</source>
+        <translation>Servo 2 des CAN-Sensors als Tastverhältnis</translation>
+    </message>
+    <message>
+        <source>CAN sensor&apos;s servos: rate</source>
+        <translation>Servos des CAN-Sensors: Rate</translation>
+    </message>
+    <message>
+        <source>Calibrate gyroscope in tripod mode</source>
+        <translation>Gyroskop im Stativmodus kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrate momentum in normal position</source>
+        <translation>Trägheit in Normallage kalibrieren</translation>
+    </message>
+    <message>
+        <source>Channel whose signal this servo output gives.</source>
+        <translation>Kanal, dessen Signal dieser Servoausgang ausgibt.</translation>
+    </message>
+    <message>
+        <source>Correct long errors: pitch</source>
+        <translation>Lange Fehler ausgleichen: Pitch</translation>
+    </message>
+    <message>
+        <source>Correct long errors: roll</source>
+        <translation>Lange Fehler ausgleichen: Roll</translation>
+    </message>
+    <message>
+        <source>Correct long errors: yaw</source>
+        <translation>Lange Fehler ausgleichen: Yaw</translation>
+    </message>
+    <message>
+        <source>Correction of its mounting angle.</source>
+        <translation>Korrektur seines Einbauwinkels.</translation>
+    </message>
+    <message>
+        <source>Correction of the middle motor</source>
+        <translation>Korrektur des mittleren Motors</translation>
+    </message>
+    <message>
+        <source>Correction of the pitch angle</source>
+        <translation>Korrektur des Pitchwinkels</translation>
+    </message>
+    <message>
+        <source>Correction of the roll angle</source>
+        <translation>Korrektur des Rollwinkels</translation>
+    </message>
+    <message>
+        <source>Corrects the gyroscope</source>
+        <translation>Korrigiert das Gyroskop</translation>
+    </message>
+    <message>
+        <source>Corrects the heading</source>
+        <translation>Korrigiert den Kurs</translation>
+    </message>
+    <message>
+        <source>Corrects the horizon</source>
+        <translation>Korrigiert den Horizont</translation>
+    </message>
+    <message>
+        <source>Current at which the power switch opens.</source>
+        <translation>Strom, bei dem der Leistungsschalter öffnet.</translation>
+    </message>
+    <message>
+        <source>Dead band of its own, where the profile&apos;s options say so.</source>
+        <translation>Eigener Totbereich, wo die Profiloptionen es sagen.</translation>
+    </message>
+    <message>
+        <source>Dead band of pitch</source>
+        <translation>Totbereich von Pitch</translation>
+    </message>
+    <message>
+        <source>Dead band of yaw</source>
+        <translation>Totbereich von Yaw</translation>
+    </message>
+    <message>
+        <source>Delay of the motors at start</source>
+        <translation>Verzögerung der Motoren beim Start</translation>
+    </message>
+    <message>
+        <source>Do not follow at start</source>
+        <translation>Beim Start nicht folgen</translation>
+    </message>
+    <message>
+        <source>Do not follow pitch</source>
+        <translation>Pitch nicht folgen</translation>
+    </message>
+    <message>
+        <source>Do not push at the soft limit: pitch</source>
+        <translation>An der weichen Grenze nicht drücken: Pitch</translation>
+    </message>
+    <message>
+        <source>Do not push at the soft limit: roll</source>
+        <translation>An der weichen Grenze nicht drücken: Roll</translation>
+    </message>
+    <message>
+        <source>Do not push at the soft limit: yaw</source>
+        <translation>An der weichen Grenze nicht drücken: Yaw</translation>
+    </message>
+    <message>
+        <source>Expo curve of its own, where the profile&apos;s options say so.</source>
+        <translation>Eigene Exponentialkurve, wo die Profiloptionen es sagen.</translation>
+    </message>
+    <message>
+        <source>Expo of pitch</source>
+        <translation>Exponentialkurve von Pitch</translation>
+    </message>
+    <message>
+        <source>Expo of yaw</source>
+        <translation>Exponentialkurve von Yaw</translation>
+    </message>
+    <message>
+        <source>Extended range of acceleration limits</source>
+        <translation>Erweiterter Bereich der Beschleunigungsgrenzen</translation>
+    </message>
+    <message>
+        <source>External buzzer: pin</source>
+        <translation>Äußerer Summer: Pin</translation>
+    </message>
+    <message>
+        <source>External motor %1: driver</source>
+        <translation>Äußerer Motor %1: Treiber</translation>
+    </message>
+    <message>
+        <source>External sensor</source>
+        <translation>Äußerer Sensor</translation>
+    </message>
+    <message>
+        <source>External sensor as reference</source>
+        <translation>Äußerer Sensor als Bezug</translation>
+    </message>
+    <message>
+        <source>External sensor: alignment</source>
+        <translation>Äußerer Sensor: Ausrichtung</translation>
+    </message>
+    <message>
+        <source>External sensor: axis that points right</source>
+        <translation>Äußerer Sensor: Achse nach rechts</translation>
+    </message>
+    <message>
+        <source>External sensor: axis that points up</source>
+        <translation>Äußerer Sensor: Achse nach oben</translation>
+    </message>
+    <message>
+        <source>External sensor: further bits</source>
+        <translation>Äußerer Sensor: weitere Bits</translation>
+    </message>
+    <message>
+        <source>External sensor: gyroscope correction</source>
+        <translation>Äußerer Sensor: Korrektur des Gyroskops</translation>
+    </message>
+    <message>
+        <source>External sensor: start-up delay</source>
+        <translation>Äußerer Sensor: Startverzögerung</translation>
+    </message>
+    <message>
+        <source>External sensor: use</source>
+        <translation>Äußerer Sensor: Verwendung</translation>
+    </message>
+    <message>
+        <source>Extra button %1: bit 5</source>
+        <translation>Zusatztaster %1: Bit 5</translation>
+    </message>
+    <message>
+        <source>Extra button %1: inverted</source>
+        <translation>Zusatztaster %1: umgekehrt</translation>
+    </message>
+    <message>
+        <source>Extra button %1: latching</source>
+        <translation>Zusatztaster %1: rastend</translation>
+    </message>
+    <message>
+        <source>Extra button %1: pin</source>
+        <translation>Zusatztaster %1: Pin</translation>
+    </message>
+    <message>
+        <source>Further options of the board.</source>
+        <translation>Weitere Optionen der Steuerung.</translation>
+    </message>
+    <message>
+        <source>Further options of this profile.</source>
+        <translation>Weitere Optionen dieses Profils.</translation>
+    </message>
+    <message>
+        <source>General options 3</source>
+        <translation>Allgemeine Optionen 3</translation>
+    </message>
+    <message>
+        <source>General options 4</source>
+        <translation>Allgemeine Optionen 4</translation>
+    </message>
+    <message>
+        <source>Heading of tripod mode</source>
+        <translation>Kurs des Stativmodus</translation>
+    </message>
+    <message>
+        <source>Heat the CAN sensor</source>
+        <translation>CAN-Sensor heizen</translation>
+    </message>
+    <message>
+        <source>How differently the axes shake.</source>
+        <translation>Wie verschieden die Achsen rütteln.</translation>
+    </message>
+    <message>
+        <source>How far the camera is shaken, as if held in a hand.</source>
+        <translation>Wie weit die Kamera gerüttelt wird, wie von einer Hand gehalten.</translation>
+    </message>
+    <message>
+        <source>How fast an axis comes back that was pushed beyond its limit.</source>
+        <translation>Wie schnell eine Achse zurückkommt, die über ihre Grenze geschoben wurde.</translation>
+    </message>
+    <message>
+        <source>How fast it corrects the board&apos;s gyroscope.</source>
+        <translation>Wie schnell er das Gyroskop der Steuerung korrigiert.</translation>
+    </message>
+    <message>
+        <source>How fast the middle motor leaves an unfavourable position.</source>
+        <translation>Wie schnell der mittlere Motor eine ungünstige Lage verlässt.</translation>
+    </message>
+    <message>
+        <source>How irregular the pauses are.</source>
+        <translation>Wie unregelmäßig die Pausen sind.</translation>
+    </message>
+    <message>
+        <source>How long the board waits for it after the start.</source>
+        <translation>Wie lange die Steuerung nach dem Start auf ihn wartet.</translation>
+    </message>
+    <message>
+        <source>How long the button is held to switch off.</source>
+        <translation>Wie lange der Taster zum Ausschalten gehalten wird.</translation>
+    </message>
+    <message>
+        <source>How long the button is held to switch on.</source>
+        <translation>Wie lange der Taster zum Einschalten gehalten wird.</translation>
+    </message>
+    <message>
+        <source>How long the motors wait after the start.</source>
+        <translation>Wie lange die Motoren nach dem Start warten.</translation>
+    </message>
+    <message>
+        <source>How many times faster the fastest shake is.</source>
+        <translation>Wievielmal schneller das schnellste Rütteln ist.</translation>
+    </message>
+    <message>
+        <source>How much one frequency stands out.</source>
+        <translation>Wie sehr eine Frequenz hervorsticht.</translation>
+    </message>
+    <message>
+        <source>How much weaker the shake is in a pause.</source>
+        <translation>Wie viel schwächer das Rütteln in einer Pause ist.</translation>
+    </message>
+    <message>
+        <source>How still it has to be for tripod mode to begin by itself.</source>
+        <translation>Wie ruhig es sein muss, damit der Stativmodus von selbst beginnt.</translation>
+    </message>
+    <message>
+        <source>How the encoder counts whole turns: not, or with 12, 16, 20 or 24 bits.</source>
+        <translation>Wie der Encoder ganze Umdrehungen zählt: nicht, oder mit 12, 16, 20 oder 24 Bits.</translation>
+    </message>
+    <message>
+        <source>InertialSense uAHRS</source>
+        <translation>InertialSense uAHRS</translation>
+    </message>
+    <message>
+        <source>Limits the current while switching on.</source>
+        <translation>Begrenzt den Strom beim Einschalten.</translation>
+    </message>
+    <message>
+        <source>Linearized encoder of pitch</source>
+        <translation>Linearisierter Encoder von Pitch</translation>
+    </message>
+    <message>
+        <source>Linearized encoder of roll</source>
+        <translation>Linearisierter Encoder von Roll</translation>
+    </message>
+    <message>
+        <source>Linearized encoder of yaw</source>
+        <translation>Linearisierter Encoder von Yaw</translation>
+    </message>
+    <message>
+        <source>Low-pass: damping</source>
+        <translation>Tiefpass: Dämpfung</translation>
+    </message>
+    <message>
+        <source>MAVLink 1</source>
+        <translation>MAVLink 1</translation>
+    </message>
+    <message>
+        <source>MAVLink 2</source>
+        <translation>MAVLink 2</translation>
+    </message>
+    <message>
+        <source>MAVLink yaw is absolute</source>
+        <translation>MAVLink-Yaw ist absolut</translation>
+    </message>
+    <message>
+        <source>Main sensor</source>
+        <translation>Hauptsensor</translation>
+    </message>
+    <message>
+        <source>May pass the limit: pitch</source>
+        <translation>Darf die Grenze überschreiten: Pitch</translation>
+    </message>
+    <message>
+        <source>May pass the limit: roll</source>
+        <translation>Darf die Grenze überschreiten: Roll</translation>
+    </message>
+    <message>
+        <source>May pass the limit: yaw</source>
+        <translation>Darf die Grenze überschreiten: Yaw</translation>
+    </message>
+    <message>
+        <source>Menu command that is run when the signal comes into this fifth of its range.</source>
+        <translation>Menübefehl, der läuft, wenn das Signal in dieses Fünftel seines Bereichs kommt.</translation>
+    </message>
+    <message>
+        <source>Model of the frame sensor</source>
+        <translation>Modell des Rahmensensors</translation>
+    </message>
+    <message>
+        <source>Model of the main sensor</source>
+        <translation>Modell des Hauptsensors</translation>
+    </message>
+    <message>
+        <source>Motors off when retracted</source>
+        <translation>Motoren aus, wenn eingezogen</translation>
+    </message>
+    <message>
+        <source>Multi-turn bits</source>
+        <translation>Bits für Umdrehungen</translation>
+    </message>
+    <message>
+        <source>Neutral point of following; replaces the coarse one from 2.70 on.</source>
+        <translation>Neutralpunkt des Folgens; ersetzt ab 2.70 den groben.</translation>
+    </message>
+    <message>
+        <source>No Bluetooth</source>
+        <translation>Kein Bluetooth</translation>
+    </message>
+    <message>
+        <source>Not set</source>
+        <translation>Nicht gesetzt</translation>
+    </message>
+    <message>
+        <source>Number of the driver at the CAN bus; 0 = none.</source>
+        <translation>Nummer des Treibers am CAN-Bus; 0 = keiner.</translation>
+    </message>
+    <message>
+        <source>Offset of following</source>
+        <translation>Versatz des Folgens</translation>
+    </message>
+    <message>
+        <source>Own dead band and expo for pitch and yaw</source>
+        <translation>Eigener Totbereich und eigene Exponentialkurve für Pitch und Yaw</translation>
+    </message>
+    <message>
+        <source>Pin at which this button is.</source>
+        <translation>Pin, an dem dieser Taster liegt.</translation>
+    </message>
+    <message>
+        <source>Pin of a buzzer outside the board.</source>
+        <translation>Pin eines Summers außerhalb der Steuerung.</translation>
+    </message>
+    <message>
+        <source>Pitch motor disabled</source>
+        <translation>Pitchmotor abgeschaltet</translation>
+    </message>
+    <message>
+        <source>Place of the external sensor</source>
+        <translation>Ort des äußeren Sensors</translation>
+    </message>
+    <message>
+        <source>Port at which the external sensor is.</source>
+        <translation>Anschluss, an dem der äußere Sensor liegt.</translation>
+    </message>
+    <message>
+        <source>Port of the external sensor</source>
+        <translation>Anschluss des äußeren Sensors</translation>
+    </message>
+    <message>
+        <source>Power switch: delay of switching off</source>
+        <translation>Leistungsschalter: Ausschaltverzögerung</translation>
+    </message>
+    <message>
+        <source>Power switch: delay of switching on</source>
+        <translation>Leistungsschalter: Einschaltverzögerung</translation>
+    </message>
+    <message>
+        <source>Power switch: limiter</source>
+        <translation>Leistungsschalter: Begrenzer</translation>
+    </message>
+    <message>
+        <source>Power switch: over-current</source>
+        <translation>Leistungsschalter: Überstrom</translation>
+    </message>
+    <message>
+        <source>Power switch: shunt</source>
+        <translation>Leistungsschalter: Messwiderstand</translation>
+    </message>
+    <message>
+        <source>Pressed and released are exchanged.</source>
+        <translation>Gedrückt und losgelassen sind vertauscht.</translation>
+    </message>
+    <message>
+        <source>Priority of low angles: pitch</source>
+        <translation>Vorrang kleiner Winkel: Pitch</translation>
+    </message>
+    <message>
+        <source>Priority of low angles: roll</source>
+        <translation>Vorrang kleiner Winkel: Roll</translation>
+    </message>
+    <message>
+        <source>Priority of low angles: yaw</source>
+        <translation>Vorrang kleiner Winkel: Yaw</translation>
+    </message>
+    <message>
+        <source>Profile 1</source>
+        <translation>Profil 1</translation>
+    </message>
+    <message>
+        <source>Profile 2</source>
+        <translation>Profil 2</translation>
+    </message>
+    <message>
+        <source>Profile 3</source>
+        <translation>Profil 3</translation>
+    </message>
+    <message>
+        <source>Profile 4</source>
+        <translation>Profil 4</translation>
+    </message>
+    <message>
+        <source>Profile 5</source>
+        <translation>Profil 5</translation>
+    </message>
+    <message>
+        <source>Profile at start</source>
+        <translation>Profil beim Start</translation>
+    </message>
+    <message>
+        <source>Profile options 2</source>
+        <translation>Profiloptionen 2</translation>
+    </message>
+    <message>
+        <source>Profile options 3</source>
+        <translation>Profiloptionen 3</translation>
+    </message>
+    <message>
+        <source>Profile that is in use after the start.</source>
+        <translation>Profil, das nach dem Start in Gebrauch ist.</translation>
+    </message>
+    <message>
+        <source>Pulses per second.</source>
+        <translation>Pulse je Sekunde.</translation>
+    </message>
+    <message>
+        <source>Quality of the low-pass filter; more damps it more.</source>
+        <translation>Güte des Tiefpasses; mehr dämpft ihn mehr.</translation>
+    </message>
+    <message>
+        <source>RC while retracted</source>
+        <translation>RC im eingezogenen Zustand</translation>
+    </message>
+    <message>
+        <source>Range before a limit in which motion is slowed down.</source>
+        <translation>Bereich vor einer Grenze, in dem die Bewegung gebremst wird.</translation>
+    </message>
+    <message>
+        <source>Recover a lost sensor</source>
+        <translation>Verlorenen Sensor wiederfinden</translation>
+    </message>
+    <message>
+        <source>Replaces the main sensor</source>
+        <translation>Ersetzt den Hauptsensor</translation>
+    </message>
+    <message>
+        <source>Resistance by which the current is measured.</source>
+        <translation>Widerstand, über den der Strom gemessen wird.</translation>
+    </message>
+    <message>
+        <source>Resolution beyond 12 bits</source>
+        <translation>Auflösung über 12 Bits hinaus</translation>
+    </message>
+    <message>
+        <source>Retract the shortest way</source>
+        <translation>Auf dem kürzesten Weg einziehen</translation>
+    </message>
+    <message>
+        <source>Roll motor disabled</source>
+        <translation>Rollmotor abgeschaltet</translation>
+    </message>
+    <message>
+        <source>Sensor at the CAN bus</source>
+        <translation>Sensor am CAN-Bus</translation>
+    </message>
+    <message>
+        <source>Serves as frame sensor</source>
+        <translation>Dient als Rahmensensor</translation>
+    </message>
+    <message>
+        <source>Servo 1 as duty cycle</source>
+        <translation>Servo 1 als Tastverhältnis</translation>
+    </message>
+    <message>
+        <source>Servo 2 as duty cycle</source>
+        <translation>Servo 2 als Tastverhältnis</translation>
+    </message>
+    <message>
+        <source>Servo 3 as duty cycle</source>
+        <translation>Servo 3 als Tastverhältnis</translation>
+    </message>
+    <message>
+        <source>Servo 4 as duty cycle</source>
+        <translation>Servo 4 als Tastverhältnis</translation>
+    </message>
+    <message>
+        <source>Servo mode</source>
+        <translation>Servomodus</translation>
+    </message>
+    <message>
+        <source>Servo mode: outer I (logarithmic)</source>
+        <translation>Servomodus: äußeres I (logarithmisch)</translation>
+    </message>
+    <message>
+        <source>Servo mode: outer P (logarithmic)</source>
+        <translation>Servomodus: äußeres P (logarithmisch)</translation>
+    </message>
+    <message>
+        <source>Shake: amplitude</source>
+        <translation>Rütteln: Stärke</translation>
+    </message>
+    <message>
+        <source>Shake: attenuation in pauses</source>
+        <translation>Rütteln: Abschwächung in Pausen</translation>
+    </message>
+    <message>
+        <source>Shake: base frequency</source>
+        <translation>Rütteln: Grundfrequenz</translation>
+    </message>
+    <message>
+        <source>Shake: frequency of resonance</source>
+        <translation>Rütteln: Resonanzfrequenz</translation>
+    </message>
+    <message>
+        <source>Shake: period of pauses</source>
+        <translation>Rütteln: Abstand der Pausen</translation>
+    </message>
+    <message>
+        <source>Shake: randomness of pauses</source>
+        <translation>Rütteln: Zufälligkeit der Pausen</translation>
+    </message>
+    <message>
+        <source>Shake: range of frequencies</source>
+        <translation>Rütteln: Frequenzbereich</translation>
+    </message>
+    <message>
+        <source>Shake: resonance</source>
+        <translation>Rütteln: Resonanz</translation>
+    </message>
+    <message>
+        <source>Shake: share of pauses</source>
+        <translation>Rütteln: Anteil der Pausen</translation>
+    </message>
+    <message>
+        <source>Shake: shift of frequency</source>
+        <translation>Rütteln: Frequenzverschiebung</translation>
+    </message>
+    <message>
+        <source>Shake: variation of phase</source>
+        <translation>Rütteln: Phasenunterschied</translation>
+    </message>
+    <message>
+        <source>Shakes this axis slower or faster, a third to three times.</source>
+        <translation>Rüttelt diese Achse langsamer oder schneller, ein Drittel bis dreimal.</translation>
+    </message>
+    <message>
+        <source>Share of the period that is pause.</source>
+        <translation>Anteil des Abstands, der Pause ist.</translation>
+    </message>
+    <message>
+        <source>Share of the variable&apos;s own range.</source>
+        <translation>Anteil am eigenen Bereich der Variable.</translation>
+    </message>
+    <message>
+        <source>Shortest way: pitch</source>
+        <translation>Kürzester Weg: Pitch</translation>
+    </message>
+    <message>
+        <source>Shortest way: roll</source>
+        <translation>Kürzester Weg: Roll</translation>
+    </message>
+    <message>
+        <source>Shortest way: yaw</source>
+        <translation>Kürzester Weg: Yaw</translation>
+    </message>
+    <message>
+        <source>Signal that runs menu commands; each fifth of its range has one.</source>
+        <translation>Signal, das Menübefehle ausführt; jedes Fünftel seines Bereichs hat einen.</translation>
+    </message>
+    <message>
+        <source>Signal that sets an adjustable variable continuously.</source>
+        <translation>Signal, das eine einstellbare Variable stufenlos setzt.</translation>
+    </message>
+    <message>
+        <source>Signal that takes the place of this analog input.</source>
+        <translation>Signal, das an die Stelle dieses Analogeingangs tritt.</translation>
+    </message>
+    <message>
+        <source>Slowest frequency of the shake.</source>
+        <translation>Langsamste Frequenz des Rüttelns.</translation>
+    </message>
+    <message>
+        <source>Soft limit of middle motor upside-down</source>
+        <translation>Weiche Grenze des mittleren Motors kopfüber</translation>
+    </message>
+    <message>
+        <source>Soft limit of outer motor upside-down</source>
+        <translation>Weiche Grenze des äußeren Motors kopfüber</translation>
+    </message>
+    <message>
+        <source>Soft limit: width</source>
+        <translation>Weiche Grenze: Breite</translation>
+    </message>
+    <message>
+        <source>Speed of the way back from a limit</source>
+        <translation>Geschwindigkeit des Rückwegs von einer Grenze</translation>
+    </message>
+    <message>
+        <source>Start inverted, bit 0</source>
+        <translation>Umgekehrt starten, Bit 0</translation>
+    </message>
+    <message>
+        <source>Start inverted, bit 1</source>
+        <translation>Umgekehrt starten, Bit 1</translation>
+    </message>
+    <message>
+        <source>The button stays where it was put.</source>
+        <translation>Der Taster bleibt, wo er hingestellt wurde.</translation>
+    </message>
+    <message>
+        <source>The frequency that stands out.</source>
+        <translation>Die Frequenz, die hervorsticht.</translation>
+    </message>
+    <message>
+        <source>The signal multiplies the stored value instead of replacing it.</source>
+        <translation>Das Signal vervielfacht den gespeicherten Wert, statt ihn zu ersetzen.</translation>
+    </message>
+    <message>
+        <source>Threshold angle</source>
+        <translation>Schwellwinkel</translation>
+    </message>
+    <message>
+        <source>Time from one pause to the next.</source>
+        <translation>Zeit von einer Pause zur nächsten.</translation>
+    </message>
+    <message>
+        <source>Time limit of automatic motion</source>
+        <translation>Zeitgrenze selbsttätiger Bewegung</translation>
+    </message>
+    <message>
+        <source>Trigger %1: fourth fifth</source>
+        <translation>Auslöser %1: viertes Fünftel</translation>
+    </message>
+    <message>
+        <source>Trigger %1: highest fifth</source>
+        <translation>Auslöser %1: oberstes Fünftel</translation>
+    </message>
+    <message>
+        <source>Trigger %1: lowest fifth</source>
+        <translation>Auslöser %1: unterstes Fünftel</translation>
+    </message>
+    <message>
+        <source>Trigger %1: middle</source>
+        <translation>Auslöser %1: Mitte</translation>
+    </message>
+    <message>
+        <source>Trigger %1: second fifth</source>
+        <translation>Auslöser %1: zweites Fünftel</translation>
+    </message>
+    <message>
+        <source>Trigger %1: signal</source>
+        <translation>Auslöser %1: Signal</translation>
+    </message>
+    <message>
+        <source>Trigger slots</source>
+        <translation>Auslöser</translation>
+    </message>
+    <message>
+        <source>Tripod mode by itself</source>
+        <translation>Stativmodus von selbst</translation>
+    </message>
+    <message>
+        <source>Tripod mode: threshold</source>
+        <translation>Stativmodus: Schwelle</translation>
+    </message>
+    <message>
+        <source>Type of an external sensor at the CAN bus.</source>
+        <translation>Art eines äußeren Sensors am CAN-Bus.</translation>
+    </message>
+    <message>
+        <source>Type of the frame sensor; 0 = found by itself.</source>
+        <translation>Art des Rahmensensors; 0 = wird selbst gefunden.</translation>
+    </message>
+    <message>
+        <source>Type of the main sensor; 0 = found by itself.</source>
+        <translation>Art des Hauptsensors; 0 = wird selbst gefunden.</translation>
+    </message>
+    <message>
+        <source>UART2 at its other pins</source>
+        <translation>UART2 an seinen anderen Pins</translation>
+    </message>
+    <message>
+        <source>Updates while upside-down</source>
+        <translation>Aktualisiert auch kopfüber</translation>
+    </message>
+    <message>
+        <source>Variable slot %1: at the highest signal</source>
+        <translation>Variablenplatz %1: beim höchsten Signal</translation>
+    </message>
+    <message>
+        <source>Variable slot %1: at the lowest signal</source>
+        <translation>Variablenplatz %1: beim niedrigsten Signal</translation>
+    </message>
+    <message>
+        <source>Variable slot %1: multiply</source>
+        <translation>Variablenplatz %1: vervielfachen</translation>
+    </message>
+    <message>
+        <source>Variable slot %1: signal</source>
+        <translation>Variablenplatz %1: Signal</translation>
+    </message>
+    <message>
+        <source>Variable slot %1: variable</source>
+        <translation>Variablenplatz %1: Variable</translation>
+    </message>
+    <message>
+        <source>Variable slots</source>
+        <translation>Variablenplätze</translation>
+    </message>
+    <message>
+        <source>Variable that the signal sets.</source>
+        <translation>Variable, die das Signal setzt.</translation>
+    </message>
+    <message>
+        <source>VectorNav VN-200</source>
+        <translation>VectorNav VN-200</translation>
+    </message>
+    <message>
+        <source>What the external sensor is used for.</source>
+        <translation>Wofür der äußere Sensor verwendet wird.</translation>
+    </message>
+    <message>
+        <source>Where on the gimbal the external sensor is mounted.</source>
+        <translation>Wo am Gimbal der äußere Sensor sitzt.</translation>
+    </message>
+    <message>
+        <source>Without documented meaning. Kept as read.</source>
+        <translation>Ohne beschriebene Bedeutung. Bleibt wie gelesen.</translation>
+    </message>
+    <message>
+        <source>Yaw motor disabled</source>
+        <translation>Yawmotor abgeschaltet</translation>
     </message>
 </context>
 <context>

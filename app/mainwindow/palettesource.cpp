@@ -38,6 +38,9 @@ QList<PaletteEntry> paletteEntries(Workspace &workspace, const Navigation &navig
                              [&workspace] { workspace.setMotors(false); }));
     entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Messages so far"), {}, {},
                              targets.showMessages));
+    entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Open a file"),
+                             CommandPalette::tr("configuration, recording, black box"), {},
+                             targets.openFile));
     if (workspace.client().isConnected()) {
         entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Start motors"), {}, {},
                                  targets.startMotors));

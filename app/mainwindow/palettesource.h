@@ -16,6 +16,7 @@ struct PaletteTargets
     std::function<void()> review;
     std::function<void()> startMotors;
     std::function<void()> showMessages;
+    std::function<void()> openFile;
 };
 
 /// Everything the palette can find: the pages that are offered, parameters, channels and actions of the

@@ -72,9 +72,11 @@ void MainWindow::showPalette()
             enterPage(key);
             return page(key);
         },
-        [this](const QString &key) { showAction(key); }, [this] { review(); },
+        [this](const QString &key) { showAction(key); },
+        [this] { review(); },
         [this] { askToStartMotors(*m_workspace, this); },
-        [this] { openPanel(*new MessageHistory(m_workspace->notifications(), this)); }};
+        [this] { openPanel(*new MessageHistory(m_workspace->notifications(), this)); },
+        [this] { askOpenFile(); }};
     m_palette = new CommandPalette(paletteEntries(*m_workspace, *m_navigation, targets), this);
     m_palette->input()->setFocus();
     openPanel(*m_palette);

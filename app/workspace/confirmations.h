@@ -10,7 +10,8 @@
 #include <QPromise>
 #include <QVariantMap>
 
-/// Asks the operator before an action with ActionSpec::confirm, each time; nothing is remembered.
+/// Asks the operator before an action with ActionSpec::confirm, each time; nothing is remembered. Who asks
+/// for another meanwhile no longer wants the first.
 class Confirmations final : public QObject
 {
     Q_OBJECT
@@ -22,7 +23,9 @@ public:
     /// that are given, e.g. which motor.
     QFuture<Outcome> ask(const ActionSpec &action, const QVariantMap &arguments,
                          std::function<QFuture<Outcome>()> perform);
-    /// Ends open questions with Cancelled: they belonged to another link.
+    /// Nobody wants that any more which he was asked about: it ends with Cancelled.
+    void withdraw();
+    /// Ends all of them with Cancelled, those under way too: they belonged to another link.
     void forget();
 
 private:
@@ -30,5 +33,6 @@ private:
     void answer(const std::shared_ptr<Promise> &question, const Outcome &outcome);
 
     Notifications &m_notifications;
-    std::vector<std::shared_ptr<Promise>> m_questions;
+    std::vector<std::shared_ptr<Promise>> m_questions;  // asked, or under way
+    std::shared_ptr<Promise> m_asked;
 };

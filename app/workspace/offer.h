@@ -8,7 +8,7 @@
 #include <functional>
 
 /// What a question is about: a newer one of the same topic takes its place.
-enum class Topic { None, Write, Leftover, Naming, WayOut, Board, Steering, Text };
+enum class Topic { None, Write, Leftover, Naming, WayOut, Board, Steering, Text, Action };
 
 /// A question to the operator with answers to choose from; it blocks nothing.
 struct Offer

@@ -109,6 +109,7 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     connect(&m_configuration, &ConfigurationModel::activeProfileChanged, this, noteProfile);
     connect(&m_client, &DeviceClient::statisticsChanged, this, &Workspace::settleMotors);
     connect(&m_client, &DeviceClient::statisticsChanged, this, &Workspace::readUnknown);
+    connect(&m_client, &DeviceClient::motorsOffBegun, &m_confirmations, &Confirmations::withdraw);
     connect(&m_client, &DeviceClient::motorsOffFinished, this, [this](bool isProven) {
         m_stopProvenAt = isProven ? std::optional(Clock::now()) : std::nullopt;
         m_stopUnprovenAt = isProven ? std::nullopt : std::optional(Clock::now());

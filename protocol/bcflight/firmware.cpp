@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Another firmware for a drone (errata 7.4).
+#include "protocol/bcflight/firmware.h"
+
 #include "protocol/base/battery.h"
 #include "protocol/base/checksum.h"
 #include "protocol/base/filefault.h"
@@ -18,6 +20,31 @@ namespace bcflight {
 namespace {
 
 constexpr qint64 kLargestImage = 4194304;  // offset and size of each piece lie below 4 MiB
+
+/// How files begin that no drone runs: its program is taken as it is.
+struct OtherFile
+{
+    QByteArrayView begin;
+    const char *what;
+};
+constexpr OtherFile kOtherFiles[] = {{"PK\x03\x04", "a ZIP archive: unpack it"},
+                                     {"\x1F\x8B", "packed by gzip: unpack it"},
+                                     {"\xFD"
+                                      "7zXZ",
+                                      "packed by xz: unpack it"},
+                                     {"BZh", "packed by bzip2: unpack it"},
+                                     {"7z\xBC\xAF", "a 7z archive: unpack it"},
+                                     {"!<arch>", "an archive: unpack it"},
+                                     {"%PDF", "a PDF document"},
+                                     {"\x89PNG", "a picture"},
+                                     {"\xFF\xD8\xFF", "a picture"},
+                                     {"\x1A\x45\xDF\xA3", "a video"},
+                                     {"GIMBALREC", "a recording"},
+                                     {"{", "a text in JSON"},
+                                     {"--", "a text in Lua"},
+                                     {":", "a text in Intel HEX: the drone takes the bytes themselves"},
+                                     {"<", "a text in XML or HTML"}};
+
 constexpr qsizetype kPiece = 1024;
 constexpr int kRepeats = 8;  // of what has no answer, as the original sends it
 constexpr auto kBetweenRepeats = 50ms;
@@ -90,13 +117,28 @@ Result<QString> Device::firmwareVersion(Channel &channel)
     return it == info->end() ? QString() : it->value;
 }
 
-Result<ActionReply> Device::uploadFirmware(Channel &channel, const QString &path)
+Result<QByteArray> readFirmware(const QString &path)
 {
-    const auto image = readWhole(path, FileKind::Firmware, kLargestImage);
+    auto image = readWhole(path, FileKind::Firmware, kLargestImage);
     if (!image)
-        return tl::unexpected(image.error());
+        return image;
     if (image->isEmpty())
         return fileFailure({.problem = FileProblem::Empty, .kind = FileKind::Firmware, .path = path});
+    const auto other = std::find_if(std::begin(kOtherFiles), std::end(kOtherFiles),
+                                    [&](const OtherFile &each) { return image->startsWith(each.begin); });
+    if (other != std::end(kOtherFiles))
+        return fileFailure({.problem = FileProblem::OtherKind,
+                            .kind = FileKind::Firmware,
+                            .path = path,
+                            .said = u"it is "_s + QLatin1String(other->what)});
+    return image;
+}
+
+Result<ActionReply> Device::uploadFirmware(Channel &channel, const QString &path)
+{
+    const auto image = readFirmware(path);
+    if (!image)
+        return tl::unexpected(image.error());
     // Over a stream a piece may arrive in two parts, and the second would be taken for commands (2.6).
     if (!channel.observation().isPacketBased)
         return failure(ErrorCode::Unsupported, u"firmware is uploaded over UDP only"_s);

@@ -143,6 +143,18 @@ void PingProbe::pingArrived(Bytes payload, TimePoint at)
         return;  // a datagram that came twice
     ours->isAnswered = true;
     m_roundTrip = at - ours->at;
+    if (at < m_silentUntil)
+        forgetAbsence(ours.base() - 1);
+}
+
+// What a restart on purpose left unanswered says nothing about the link.
+void PingProbe::forgetAbsence(std::deque<Ping>::iterator back)
+{
+    auto first = back;
+    while (first != m_pings.begin() && !std::prev(first)->isAnswered)
+        --first;
+    if (std::size_t(back - first) >= kSilentPings)
+        m_pings.erase(first, back);
 }
 
 void PingProbe::noteForeign(TimePoint at)

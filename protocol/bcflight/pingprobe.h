@@ -32,6 +32,7 @@ public:
     [[nodiscard]] QByteArray beat(TimePoint now) override;
     void sent(Bytes bytes, TimePoint now) override;
     void frameArrived(const FrameView &frame, TimePoint at) override;
+    void expectSilence(TimePoint until) override { m_silentUntil = until; }
     [[nodiscard]] ProbedLink quality(TimePoint now) const override;
 
 private:
@@ -44,6 +45,7 @@ private:
     void pingSent(std::uint16_t tick, TimePoint now);
     void pingArrived(Bytes payload, TimePoint at);
     void noteAsked(Message id, TimePoint now);
+    void forgetAbsence(std::deque<Ping>::iterator back);
     void noteForeign(TimePoint at);
     void countStream(TimePoint at);
     void closeWindows(TimePoint now);
@@ -54,6 +56,7 @@ private:
     std::map<Message, TimePoint> m_asked;
     quint64 m_foreign = 0;
     std::optional<TimePoint> m_sharedAt;
+    TimePoint m_silentUntil{};  // it may be away
 
     // Packets of the stream.
     TimePoint m_windowEnd{};

@@ -60,6 +60,7 @@ public:
     {
         for (const RecordedPiece &piece : recording.pieces)
             m_observation.bytesIn += piece.kind == RecordedPiece::Kind::Received ? piece.bytes.size() : 0;
+        m_observation.isReplayed = true;
     }
 
     Result<Frame> transact(const Request &request) override

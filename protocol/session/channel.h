@@ -25,6 +25,7 @@ struct LinkObservation
     FramerStatistics framing;
     quint64 bytesIn = 0;
     bool isPacketBased = false;  ///< what is sent at once arrives whole, or not at all
+    bool isReplayed = false;  ///< a recording answers, and only what it was asked then
     QByteArray lastBytes;  ///< the most recent bytes, kept only until a frame is understood
     /// The last time that nothing at all came for at least kSilence: how long, and when something came again.
     Duration lastSilence{};

@@ -32,5 +32,7 @@ public:
     /// All that is sent, heartbeats too.
     virtual void sent(Bytes bytes, TimePoint now) = 0;
     virtual void frameArrived(const FrameView &frame, TimePoint at) = 0;
+    /// Until then it may be away on purpose: what it leaves unanswered is no fault of the link.
+    virtual void expectSilence(TimePoint until) { Q_UNUSED(until) }
     [[nodiscard]] virtual ProbedLink quality(TimePoint now) const = 0;
 };

@@ -243,6 +243,8 @@ void Session::allowMotors()
 void Session::expectSilence(milliseconds duration)
 {
     m_silentUntil = std::max<TimePoint>(m_silentUntil, Clock::now() + duration);
+    if (m_probe)
+        m_probe->expectSilence(m_silentUntil);
     schedule();
 }
 
@@ -285,6 +287,7 @@ LinkObservation Session::observation() const
     LinkObservation observation = m_observed;
     observation.framing = m_framer ? m_framer->statistics() : FramerStatistics{};
     observation.isPacketBased = m_transport && m_transport->isPacketBased();
+    observation.isReplayed = m_transport && m_transport->replay();
     return observation;
 }
 

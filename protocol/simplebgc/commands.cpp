@@ -3,6 +3,7 @@
 #include "protocol/simplebgc/commands.h"
 
 #include "protocol/base/checksum.h"
+#include "protocol/simplebgc/messages.h"
 
 #include <array>
 
@@ -11,21 +12,6 @@ using namespace Qt::StringLiterals;
 namespace simplebgc {
 
 namespace {
-
-// clang-format off
-constexpr std::pair<int, const char *> kNames[] = {
-    {20, "BOARD_INFO_3"}, {21, "READ_PARAMS_3"}, {22, "WRITE_PARAMS_3"}, {23, "REALTIME_DATA_3"},
-    {24, "SELECT_IMU_3"}, {25, "REALTIME_DATA_4"}, {28, "READ_PROFILE_NAMES"}, {29, "WRITE_PROFILE_NAMES"},
-    {30, "GET_PARAMS_3"}, {31, "SET_ADJ_VARS_VAL"}, {32, "SAVE_PARAMS_3"}, {33, "READ_PARAMS_EXT"},
-    {34, "WRITE_PARAMS_EXT"}, {35, "AUTO_PID"}, {56, "AHRS_HELPER"}, {61, "GET_ANGLES_EXT"},
-    {62, "READ_PARAMS_EXT2"}, {63, "WRITE_PARAMS_EXT2"}, {64, "GET_ADJ_VARS_VAL"}, {65, "CALIB_ACC"},
-    {66, "CALIB_BAT"}, {67, "CONTROL/CONFIRM"}, {68, "REALTIME_DATA"}, {69, "EXECUTE_MENU"},
-    {70, "USE_DEFAULTS"}, {73, "GET_ANGLES"}, {77, "MOTORS_ON"}, {79, "CALIB_OFFSET"}, {82, "READ_PARAMS"},
-    {85, "DATA_STREAM_INTERVAL"}, {86, "BOARD_INFO"}, {87, "WRITE_PARAMS"}, {88, "REALTIME_DATA_CUSTOM"},
-    {89, "BEEP_SOUND"}, {103, "CALIB_GYRO"}, {109, "MOTORS_OFF"}, {114, "RESET"}, {119, "WRITE_PARAMS_SET"},
-    {253, "DEBUG_VARS_INFO_3"}, {254, "DEBUG_VARS_3"}, {255, "ERROR"},
-};
-// clang-format on
 
 constexpr int kErrorPayload = 6;  // command, code, 4 data bytes
 constexpr int kSeedErrorPayload = 5;  // code, 4 data bytes: the document's form (errata 3.18)
@@ -47,11 +33,8 @@ Request baseRequest(CommandId id, const QByteArray &payload, int version)
 
 QString commandName(int id)
 {
-    for (const auto &[known, name] : kNames) {
-        if (known == id)
-            return QLatin1String(name);
-    }
-    return u"CMD_%1"_s.arg(id);
+    const MessageSpec *message = findMessage(id);
+    return message ? QString(QLatin1String(message->name)) : u"CMD_%1"_s.arg(id);
 }
 
 QByteArray encodeFrame(int id, QByteArrayView payload, int version)

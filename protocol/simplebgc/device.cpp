@@ -40,6 +40,8 @@ constexpr std::array<BlockCommands, BlockCount> kBlockCommands{{
     {CommandId::ReadParams3, CommandId::WriteParams3},
     {CommandId::ReadParamsExt, CommandId::WriteParamsExt},
     {CommandId::ReadParamsExt2, CommandId::WriteParamsExt2},
+    {CommandId::ReadParamsExt3, CommandId::WriteParamsExt3},
+    {CommandId::ReadAdjVarsCfg, CommandId::WriteAdjVarsCfg},
 }};
 // clang-format on
 
@@ -249,14 +251,20 @@ Result<Configuration> Device::readConfiguration(Channel &channel)
         wasSilent[std::size_t(key.block)] = !bytes && isUnanswered(bytes.error());
         if (bytes) {
             silent = 0;
-            configuration.setBlock(key, std::move(*bytes));
+            const bool isBoardWide = key.block == AdjVarsCfg;
+            for (int profile = 0; isBoardWide && profile < kProfileCount; ++profile)
+                configuration.setBlock({profile, key.block}, *bytes);
+            if (!isBoardWide)
+                configuration.setBlock(key, std::move(*bytes));
             return {};
         }
         silent = bytes.error().code == ErrorCode::Timeout ? silent + 1 : 0;
         if (!isPartial(bytes.error()) || silent > kSilentParts)
             return tl::unexpected(bytes.error());
-        // A firmware without this block refuses it or stays silent.
-        if (m_identity.firmwareNumber >= kBlocks[key.block].since)
+        // A firmware without this block refuses it or stays silent, and so does a recording of an earlier
+        // program, which did not ask for it.
+        const bool wasNotAsked = key.block >= ParamsExt3 && channel.observation().isReplayed;
+        if (m_identity.firmwareNumber >= kBlocks[key.block].since && !wasNotAsked)
             configuration.addMissing(key, bytes.error());
         return {};
     };
@@ -265,7 +273,8 @@ Result<Configuration> Device::readConfiguration(Channel &channel)
             ++progress.done;
             const bool isAbsent = profile > 0 && m_identity.firmwareNumber < kBlocks[block].since
                 && configuration.block({0, block}).isEmpty();
-            if (isAbsent)
+            const bool isUnknown = m_identity.firmwareNumber < kBlocks[block].since && block == ParamsExt3;
+            if (isAbsent || isUnknown || (block == AdjVarsCfg && profile > 0))
                 continue;
             if (const auto done = read({profile, block}); !done)
                 return tl::unexpected(done.error());
@@ -312,9 +321,10 @@ Result<QByteArray> Device::readBlock(Channel &channel, BlockKey key)
 Result<QByteArray> Device::askBlock(Channel &channel, BlockKey key, int retries)
 {
     const BlockSpec &block = kBlocks[key.block];
-    Request request
-        = replyRequest(kBlockCommands[std::size_t(key.block)].read, ByteWriter().u8(key.profile).take(),
-                       kBlockCommands[std::size_t(key.block)].read, block.size, kVersion,
+    const CommandId command = kBlockCommands[std::size_t(key.block)].read;
+    Request request = key.block == AdjVarsCfg
+        ? replyRequest(command, {}, command, block.size, kVersion)
+        : replyRequest(command, ByteWriter().u8(key.profile).take(), command, block.size, kVersion,
                        [profile = key.profile](Bytes payload) {
                            return !payload.empty() && std::to_integer<int>(payload[0]) == profile;
                        });

@@ -6,6 +6,7 @@
 #include "protocol/simplebgc/adjustables.h"
 #include "protocol/simplebgc/choices.h"
 #include "protocol/simplebgc/framer.h"
+#include "protocol/simplebgc/messages.h"
 #include "protocol/simplebgc/parametertables.h"
 #include "protocol/simplebgc/payloads.h"
 #include "protocol/simplebgc/steeringmodes.h"
@@ -23,32 +24,6 @@ namespace {
 constexpr int kAnyFirmware = 99999;
 constexpr std::array<const char *, 3> kAxisLetters{"R", "P", "Y"};
 
-// What a command does to the gimbal when sent by hand; commands not listed count as destroying.
-// clang-format off
-constexpr std::pair<CommandId, ActionRisk> kRisks[] = {
-    {CommandId::BoardInfo, ActionRisk::Safe}, {CommandId::BoardInfo3, ActionRisk::Safe},
-    {CommandId::ReadParams, ActionRisk::Safe}, {CommandId::ReadParams3, ActionRisk::Safe},
-    {CommandId::ReadParamsExt, ActionRisk::Safe}, {CommandId::ReadParamsExt2, ActionRisk::Safe},
-    {CommandId::ReadProfileNames, ActionRisk::Safe}, {CommandId::RealtimeData, ActionRisk::Safe},
-    {CommandId::RealtimeData3, ActionRisk::Safe}, {CommandId::RealtimeData4, ActionRisk::Safe},
-    {CommandId::RealtimeDataCustom, ActionRisk::Safe}, {CommandId::GetAngles, ActionRisk::Safe},
-    {CommandId::GetAnglesExt, ActionRisk::Safe}, {CommandId::GetAdjVarsVal, ActionRisk::Safe},
-    {CommandId::GetParams3, ActionRisk::Safe}, {CommandId::DebugVarsInfo3, ActionRisk::Safe},
-    {CommandId::DebugVars3, ActionRisk::Safe}, {CommandId::AhrsHelper, ActionRisk::Moves},
-    {CommandId::MotorsOff, ActionRisk::Safe}, {CommandId::BeepSound, ActionRisk::Safe},
-    {CommandId::SelectImu3, ActionRisk::Safe}, {CommandId::DataStreamInterval, ActionRisk::Safe},
-    {CommandId::MotorsOn, ActionRisk::Moves}, {CommandId::Control, ActionRisk::Moves},
-    {CommandId::ExecuteMenu, ActionRisk::Writes}, {CommandId::Reset, ActionRisk::Moves},
-    {CommandId::SetAdjVarsVal, ActionRisk::Moves}, {CommandId::SaveParams3, ActionRisk::Writes},
-    {CommandId::WriteParams, ActionRisk::Writes}, {CommandId::WriteParams3, ActionRisk::Writes},
-    {CommandId::WriteParamsExt, ActionRisk::Writes}, {CommandId::WriteParamsExt2, ActionRisk::Writes},
-    {CommandId::WriteParamsSet, ActionRisk::Writes}, {CommandId::WriteProfileNames, ActionRisk::Writes},
-    {CommandId::CalibAcc, ActionRisk::Writes}, {CommandId::CalibGyro, ActionRisk::Writes},
-    {CommandId::CalibBat, ActionRisk::Writes}, {CommandId::CalibOffset, ActionRisk::Writes},
-    {CommandId::AutoPid, ActionRisk::Writes}, {CommandId::UseDefaults, ActionRisk::Destroys},
-};
-// clang-format on
-
 ActionRisk riskOf(int id, const QByteArray &payload)
 {
     if (id == number(CommandId::ExecuteMenu) && !payload.isEmpty()) {
@@ -61,11 +36,12 @@ ActionRisk riskOf(int id, const QByteArray &payload)
                                          [action](const Choice &choice) { return choice.value == action; });
         return !isKnown ? ActionRisk::Destroys : action == 0 ? ActionRisk::Safe : ActionRisk::Moves;
     }
-    for (const auto &[command, risk] : kRisks) {
-        if (number(command) == id)
-            return risk;
-    }
-    return ActionRisk::Destroys;
+    // Whoever only asks sets nothing.
+    const bool asks = !payload.isEmpty() && !(std::uint8_t(payload.front()) & 1U);
+    if (id == number(CommandId::AhrsHelper) && asks)
+        return ActionRisk::Safe;
+    const MessageSpec *message = findMessage(id);
+    return message ? message->risk : ActionRisk::Destroys;
 }
 
 QString menuName(int action)
@@ -89,6 +65,23 @@ QString blockText(int block, Bytes payload, const ParameterSet *parameters)
                 parts.append(spec.key + u' ' + spec.format(*raw));
         }
     }
+    return parts.join(u", "_s);
+}
+
+// By the table of commands.
+QString fieldsText(int id, Bytes payload, bool fromBoard)
+{
+    const MessageSpec *message = findMessage(id);
+    if (!message)
+        return {};
+    if (!message->isPublic && !payload.empty())
+        return u"its layout is not public"_s;
+    const auto &fields = fromBoard ? message->fromBoard : message->toBoard;
+    if (!fields)
+        return {};
+    QStringList parts;
+    for (const FieldValue &value : decodeFields(*fields, payload))
+        parts.append(value.name + u' ' + value.text());
     return parts.join(u", "_s);
 }
 
@@ -203,10 +196,6 @@ QString fromBoardText(CommandId id, Bytes payload, const ParameterSet *parameter
             ? u"board %1, firmware %2"_s.arg(info->boardVersion / 10.0, 0, 'f', 1).arg(info->firmwareText())
             : QString();
     }
-    case CommandId::BoardInfo3: {
-        const auto info = BoardInfo3::decode(payload);
-        return info ? u"device %1"_s.arg(QString::fromLatin1(info->deviceId.toHex())) : QString();
-    }
     case CommandId::ReadProfileNames: {
         const auto names = decodeProfileNames(payload);
         return names ? names->join(u", "_s) : QString();
@@ -253,7 +242,9 @@ QString fromBoardText(CommandId id, Bytes payload, const ParameterSet *parameter
         return payload.empty() ? QString() : blockText(ParamsExt, payload, parameters);
     case CommandId::ReadParamsExt2:
         return payload.empty() ? QString() : blockText(ParamsExt2, payload, parameters);
-    default: return {};
+    case CommandId::ReadParamsExt3:
+        return payload.empty() ? QString() : blockText(ParamsExt3, payload, parameters);
+    default: return fieldsText(number(id), payload, true);
     }
 }
 
@@ -265,12 +256,6 @@ QString toBoardText(CommandId id, Bytes payload, const ParameterSet *parameters)
     switch (id) {
     case CommandId::Control: return controlText(payload);
     case CommandId::ExecuteMenu: return menuName(reader.u8());
-    case CommandId::CalibAcc:
-    case CommandId::CalibGyro: {
-        const int imu = reader.u8();
-        return u"sensor %1, action %2"_s.arg(imu).arg(reader.u8());
-    }
-    case CommandId::CalibBat: return u"%1 V"_s.arg(reader.u16() * 0.01, 0, 'f', 2);
     case CommandId::SetAdjVarsVal: return variablesText(payload);
     case CommandId::GetAdjVarsVal: {
         QStringList ids;
@@ -291,10 +276,6 @@ QString toBoardText(CommandId id, Bytes payload, const ParameterSet *parameters)
         return u"%1, flags 0x%2"_s.arg(profile).arg(reader.u8(), 2, 16, QChar(u'0'));
     }
     case CommandId::UseDefaults: return defaultsText(reader.u8());
-    case CommandId::Reset: {
-        const int flags = reader.u8();
-        return u"notice %1, delay %2 ms"_s.arg(flags).arg(payload.size() > 2 ? reader.u16() : 0);
-    }
     case CommandId::WriteProfileNames: {
         const auto names = decodeProfileNames(payload);
         return names ? names->join(u", "_s) : QString();
@@ -302,12 +283,14 @@ QString toBoardText(CommandId id, Bytes payload, const ParameterSet *parameters)
     case CommandId::ReadParams3:
     case CommandId::ReadParamsExt:
     case CommandId::ReadParamsExt2:
+    case CommandId::ReadParamsExt3:
     case CommandId::ReadParams: return profileText(reader.u8());
     case CommandId::WriteParams3:
     case CommandId::WriteParams: return blockText(Params3, payload, parameters);
     case CommandId::WriteParamsExt: return blockText(ParamsExt, payload, parameters);
     case CommandId::WriteParamsExt2: return blockText(ParamsExt2, payload, parameters);
-    default: return {};
+    case CommandId::WriteParamsExt3: return blockText(ParamsExt3, payload, parameters);
+    default: return fieldsText(number(id), payload, false);
     }
 }
 
@@ -323,13 +306,30 @@ FrameText describeFrame(const FrameView &frame, bool fromBoard, const ParameterS
     return text;
 }
 
+namespace {
+
+// "12 01" or "pin=16 state=high".
+Result<QByteArray> payloadOf(const MessageSpec &message, const QStringList &words)
+{
+    if (message.toBoard && words.join(u' ').contains(u'='))
+        return encodeFields(*message.toBoard, words, message.least);
+    if (const auto bytes = bytesFromHex(words.join(u' ')))
+        return *bytes;
+    const QStringList fields = message.toBoard ? fieldNames(*message.toBoard) : QStringList();
+    return failure(ErrorCode::InvalidArgument,
+                   u"after %1 come payload bytes in hex%2"_s.arg(
+                       QLatin1String(message.name),
+                       fields.isEmpty() ? QString() : u", or %1=..."_s.arg(fields.join(u"=... "_s))));
+}
+
+}  // namespace
+
 QStringList commandNames()
 {
     QStringList names;
-    for (int id = 0; id < 255; ++id) {
-        const QString name = id == number(CommandId::Control) ? u"CONTROL"_s : commandName(id);
-        if (!name.startsWith(u"CMD_"_s))
-            names.append(name);
+    for (const MessageSpec &message : messages()) {
+        if (message.toBoard)
+            names.append(QLatin1String(message.name));
     }
     names.sort();
     return names;
@@ -354,20 +354,20 @@ Result<RawCommand> parseCommand(const QString &text, int version)
             describeFrame({found->id, asBytes(found->payload), found->version}, false, nullptr).name, *whole,
             riskOf(found->id, found->payload)};
     }
-    const QString name = trimmed.section(QRegularExpression(u"\\s"_s), 0, 0).toUpper();
-    for (int id = 0; id < 255; ++id) {
-        const QString known = id == number(CommandId::Control) ? u"CONTROL"_s : commandName(id);
-        if (known != name)
-            continue;
-        const auto payload = bytesFromHex(trimmed.mid(name.size()));
-        if (!payload)
-            return failure(ErrorCode::InvalidArgument, u"after %1 come payload bytes in hex"_s.arg(name));
-        if (payload->size() > 255)
-            return failure(ErrorCode::InvalidArgument,
-                           u"%1 payload bytes, a frame holds 255"_s.arg(payload->size()));
-        return RawCommand{name, encodeFrame(id, *payload, version), riskOf(id, *payload)};
-    }
-    return failure(ErrorCode::InvalidArgument, u"there is no command '%1'"_s.arg(name));
+    QStringList words = trimmed.split(QRegularExpression(u"\\s+"_s));
+    const QString name = words.takeFirst().toUpper();
+    const MessageSpec *message = findMessage(name);
+    if (!message)
+        return failure(ErrorCode::InvalidArgument, u"there is no command '%1'"_s.arg(name));
+    if (!message->toBoard && message->isPublic)
+        return failure(ErrorCode::InvalidArgument, u"%1 is what the board sends"_s.arg(name));
+    const auto payload = payloadOf(*message, words);
+    if (!payload)
+        return tl::unexpected(payload.error());
+    if (payload->size() > 255)
+        return failure(ErrorCode::InvalidArgument,
+                       u"%1 payload bytes, a frame holds 255"_s.arg(payload->size()));
+    return RawCommand{name, encodeFrame(message->id, *payload, version), riskOf(message->id, *payload)};
 }
 
 }  // namespace simplebgc

@@ -22,7 +22,8 @@ std::span<const ParameterRow> parameterRows()
 {
     static const std::vector<ParameterRow> rows = [] {
         std::vector<ParameterRow> all;
-        for (const auto part : {params3Rows(), paramsExtRows(), paramsExt2Rows()})
+        for (const auto part :
+             {params3Rows(), paramsExtRows(), paramsExt2Rows(), paramsExt3Rows(), slotRows()})
             all.insert(all.end(), part.begin(), part.end());
         return all;
     }();

@@ -7,11 +7,20 @@
 namespace simplebgc {
 
 /// The blocks of a SimpleBGC configuration and the commands that carry them.
-enum Block : std::uint8_t { Params3, ParamsExt, ParamsExt2, BlockCount };
+enum Block : std::uint8_t { Params3, ParamsExt, ParamsExt2, ParamsExt3, AdjVarsCfg, BlockCount };
 
 inline constexpr int kParams3Size = 134;
 inline constexpr int kParamsExtSize = 104;
 inline constexpr int kParamsExt2Size = 151;
+inline constexpr int kParamsExt3Size = 221;
+inline constexpr int kAdjVarsCfgSize = 128;
+
+/// The first firmware with PARAMS_EXT3. Assumed: the errata tell "later", and the oldest of its fields that
+/// they date came with 2.68.
+inline constexpr int kExt3Since = 2680;
+
+inline constexpr int kTriggerSlots = 10;
+inline constexpr int kAnalogSlots = 15;
 
 // clang-format off
 inline constexpr BlockSpec kBlocks[] = {
@@ -19,11 +28,15 @@ inline constexpr BlockSpec kBlocks[] = {
     {ParamsExt, "PARAMS_EXT", kParamsExtSize},
     // The document has it since March 2016; that this was 2.56 is an assumption.
     {.id = ParamsExt2, .name = "PARAMS_EXT2", .size = kParamsExt2Size, .since = 2560},
+    {.id = ParamsExt3, .name = "PARAMS_EXT3", .size = kParamsExt3Size, .since = kExt3Since},
+    // The board has it once; here it stands in every profile, like all values that belong to the board.
+    {AdjVarsCfg, "ADJ_VARS_CFG", kAdjVarsCfgSize},
 };
 // clang-format on
 
-/// Every field of PARAMS_3, PARAMS_EXT and PARAMS_EXT2 (document "Variables description and range",
-/// errata 3.3-3.6). Labels, groups, help texts and choice names are translated in the context "Tables".
+/// Every field of PARAMS_3, PARAMS_EXT, PARAMS_EXT2, PARAMS_EXT3 and ADJ_VARS_CFG (document "Variables
+/// description and range", errata 3.3-3.7 and 3.15). Labels, groups, help texts and choice names are
+/// translated in the context "Tables".
 [[nodiscard]] std::span<const ParameterRow> parameterRows();
 
 /// Values of two parameters that exclude each other.
@@ -39,5 +52,7 @@ inline constexpr BlockSpec kBlocks[] = {
 [[nodiscard]] std::span<const ParameterRow> params3Rows();
 [[nodiscard]] std::span<const ParameterRow> paramsExtRows();
 [[nodiscard]] std::span<const ParameterRow> paramsExt2Rows();
+[[nodiscard]] std::span<const ParameterRow> paramsExt3Rows();
+[[nodiscard]] std::span<const ParameterRow> slotRows();
 
 }  // namespace simplebgc

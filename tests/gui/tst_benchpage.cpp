@@ -38,6 +38,7 @@ private slots:
     void cleanup() { m_rig.reset(); }
     void droneIsShownAtAGlance();
     void motorIsChosenConfirmedAndTurned();
+    void stopTakesTheQuestionAway();
     void redButtonSaysThatItIsDeaf();
     void fileIsLookedAtFirst();
     void firmwareNeedsABattery();
@@ -165,6 +166,20 @@ void TestBenchPage::motorIsChosenConfirmedAndTurned()
     }
     m_rig->window().offerBar()->buttons().last()->click();
     QTRY_VERIFY(!bench().isUnderWay());
+}
+
+// Whoever has stopped the motors is not asked any more whether one is to turn.
+void TestBenchPage::stopTakesTheQuestionAway()
+{
+    QVERIFY(calibrate());
+    bench().motors()->setSelected(1);
+    QTRY_VERIFY(bench().turnButton()->isEnabled());
+    QTest::mouseClick(bench().turnButton(), Qt::LeftButton);
+    QTRY_VERIFY(m_rig->window().offerBar()->isVisible());
+    QVERIFY(bench().isUnderWay());
+    QTest::keyClick(&m_rig->window(), Qt::Key_F12);
+    QTRY_VERIFY(!m_rig->window().offerBar()->isVisible());
+    QVERIFY(!bench().isUnderWay());
 }
 
 // It says how long the drone hears nothing, and that the stop comes first then; so it does.

@@ -211,10 +211,8 @@ void TestDamagedRecording::answersComeBeforeWhatIsPlayed()
     }
     ReplayTransport replay(recording, 1, 0);
     QByteArrayList order;
-    connect(&replay, &Transport::received, this,
-            [&](QByteArrayView bytes) { order += bytes.toByteArray(); });
-    connect(&replay, &Transport::replayed, this,
-            [&](QByteArrayView bytes) { order += bytes.toByteArray(); });
+    connect(&replay, &Transport::received, this, [&](QByteArrayView bytes) { order += bytes.toByteArray(); });
+    connect(&replay, &Transport::replayed, this, [&](QByteArrayView bytes) { order += bytes.toByteArray(); });
     replay.open();
     replay.play();
     order.clear();

@@ -212,6 +212,8 @@ void TestBcflightBench::uploadIsRefused_data()
     QTest::newRow("too large") << u"large"_s << ErrorCode::BadFile;
     QTest::newRow("empty") << u"empty"_s << ErrorCode::BadFile;
     QTest::newRow("not there") << u"missing"_s << ErrorCode::BadFile;
+    QTest::newRow("packed") << u"packed"_s << ErrorCode::BadFile;
+    QTest::newRow("a configuration") << u"text"_s << ErrorCode::BadFile;
 }
 
 // Before anything of it goes out.
@@ -232,6 +234,10 @@ void TestBcflightBench::uploadIsRefused()
         image = QByteArray(Drone::kLargestImage + 1, 'x');
     } else if (why == u"empty"_s) {
         image.clear();
+    } else if (why == u"packed"_s) {
+        image.replace(0, 4, "PK\x03\x04");
+    } else if (why == u"text"_s) {
+        image = "--- Frame\nframe = Multicopter{}\n";
     }
     SimulatorOptions options;
     auto stream = std::make_unique<WatchedDrone>(options);

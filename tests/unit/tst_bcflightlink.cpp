@@ -85,6 +85,7 @@ private slots:
     void aRoundTripIsMeasuredAndTold();
     void theTickWraps();
     void aLostAnswerLowersTheShare();
+    void anAbsenceOnPurposeIsNoLoss();
     void aDatagramThatComesTwiceIsOurs();
     void aForeignTickIsNoticed();
     void anAnswerToWhatNobodyAskedIsNoticed();
@@ -143,6 +144,27 @@ void TestBcflightLink::aLostAnswerLowersTheShare()
     rig.answers = true;
     rig.run(6s);
     QCOMPARE(rig.quality().answered, std::optional(1.0));
+}
+
+// Whoever restarts a drone knows that it is away, and the link is none the weaker for it.
+void TestBcflightLink::anAbsenceOnPurposeIsNoLoss()
+{
+    for (const bool isTold : {false, true}) {
+        Rig rig;
+        rig.run(5s);
+        if (isTold)
+            rig.probe.expectSilence(rig.now + 20s);
+        rig.answers = false;
+        rig.run(4s);
+        rig.answers = true;
+        rig.run(2s);
+        QCOMPARE(rig.quality().answered == std::optional(1.0), isTold);
+        rig.answers = false;  // one that is lost later is lost
+        rig.run(kBeat);
+        rig.answers = true;
+        rig.run(2s);
+        QVERIFY(rig.quality().answered < 1.0);
+    }
 }
 
 void TestBcflightLink::aDatagramThatComesTwiceIsOurs()

@@ -224,7 +224,8 @@ void TestSbgcDevice::readsEverything()
     const auto configuration = bench.device.readConfiguration(bench.channel);
     QVERIFY(configuration);
     const bool hasExt2 = firmware >= kBlocks[ParamsExt2].since;
-    QCOMPARE(configuration->blocks().size(), std::size_t(hasExt2 ? 15 : 10));
+    const bool hasExt3 = firmware >= kBlocks[ParamsExt3].since;
+    QCOMPARE(configuration->blocks().size(), std::size_t(kProfileCount * (3 + hasExt2 + hasExt3)));
     QCOMPARE(configuration->profileNames().first(), u"Handheld"_s);
     for (const ParameterSpec &spec : configuration->parameters().all()) {
         if (spec.row->block == ParamsExt2 && !hasExt2)

@@ -5,7 +5,7 @@
 #include "app/workspace/filedialogs.h"
 #include "protocol/base/battery.h"
 #include "protocol/base/checksum.h"
-#include "protocol/base/filefault.h"
+#include "protocol/bcflight/firmware.h"
 #include "protocol/client/whendone.h"
 #include "widgets/forms/keyboard.h"
 #include "widgets/models/errortext.h"
@@ -26,7 +26,6 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr qint64 kLargestFirmware = 4194304;  // bytes (errata 7.4)
 constexpr std::array<const char *, 3> kEscSteps{"escs-off", "escs-full", "escs-zero"};
 
 QLabel *wrappedLabel(const QString &text, const char *look = "")
@@ -151,11 +150,9 @@ void FirmwareCard::choose(const QString &path)
     m_about->clear();
     say({}, "");
     if (!path.isEmpty()) {
-        const auto image = readWhole(path, FileKind::Firmware, kLargestFirmware);
+        const auto image = bcflight::readFirmware(path);
         if (!image) {
             say(describe(image.error()).oneLine(), "error");
-        } else if (image->isEmpty()) {
-            say(tr("The file is empty."), "error");
         } else {
             m_path = path;
             m_about->setText(tr("%1, checksum %2")

@@ -58,14 +58,16 @@ void SimulatedBoard::loadDefaults(int profile)
         QByteArray bytes(block.size, '\0');
         for (int i = 0; i < block.size; ++i)
             bytes[i] = static_cast<char>((i * 7 + block.id) & 0x3F);
-        bytes[0] = static_cast<char>(profile);
+        if (block.id != AdjVarsCfg)
+            bytes[0] = static_cast<char>(profile);
         blocks[block.id] = bytes;
     }
     for (const ParameterSpec &spec : m_parameters.all()) {
         if (!spec.row->state || spec.row->bitCount)
             spec.write(blocks[spec.row->block], spec.defaultRaw);
     }
-    blocks[Params3][0] = blocks[ParamsExt][0] = blocks[ParamsExt2][0] = static_cast<char>(profile);
+    for (const auto block : {Params3, ParamsExt, ParamsExt2, ParamsExt3})
+        blocks[block][0] = static_cast<char>(profile);
     // The simulated sensor is calibrated on command, not at every start.
     if (const ParameterSpec *skip = spec(u"imu.skip_gyro_calibration"_s))
         skip->write(blocks[Params3], 1);
@@ -92,6 +94,7 @@ void SimulatedBoard::boot()
         m_stabilizer.plant(axis).setAngle(0.0);
     m_stabilizer.resetEstimate();
     m_control = {};
+    m_signals = {};
     for (const Axis axis : kAxes)
         m_stabilizer.setTarget(axis, 0.0);
     m_stabilizer.setMotorsOn(true);
@@ -220,6 +223,7 @@ void SimulatedBoard::cycle()
         return;
     }
     updateFaults();
+    updateSlots();
     updateTargets();
     updateAutoPid();
     m_stabilizer.step();
@@ -305,6 +309,8 @@ void SimulatedBoard::updateTargets()
             const double step = std::abs(m_moveSpeed[i]) * Stabilizer::kCycle;
             target += std::clamp(goal - target, -step, step);
             arrived &= std::abs(goal - m_stabilizer.estimate(axis)) < 1.0;
+        } else if (const auto wanted = rcTarget(axis)) {
+            target = *wanted;
         } else if (axis == Axis::Yaw && value(u"rc.yaw.follow"_s) != 0.0) {
             const double follow = value(u"follow.yaw.speed"_s) / 60.0;
             target += (m_stabilizer.hand().angle(axis) - target) * follow * Stabilizer::kCycle;

@@ -79,6 +79,16 @@ private:
     // world (board.cpp)
     void updateFaults();
     void updateTargets();
+    // signals (signals.cpp)
+    void setChannels(const Frame &frame);
+    void updateSlots();
+    /// -1 to 1; empty: nobody gives it.
+    [[nodiscard]] std::optional<double> signal(int source) const;
+    [[nodiscard]] std::optional<double> rcInput(const QString &name) const;
+    [[nodiscard]] std::optional<double> rcTarget(Axis axis);
+    [[nodiscard]] QByteArray slotState(const Frame &frame) const;
+    [[nodiscard]] QByteArray rcInputs(const Frame &frame) const;
+    void runMenu(int action, int version);
     void updateCalibration();
     void sendEnd(CommandId command, int version, bool fails);
     void updateAutoPid();
@@ -176,6 +186,14 @@ private:
     int m_autoPidVersion = 1;
     bool m_autoPidReports = false;
     ControlCommand m_control{};
+    /// What comes in over API_VIRT_CH_CONTROL.
+    struct Signals
+    {
+        std::array<std::optional<double>, 32> channels{};  // -1 to 1
+        std::array<int, kTriggerSlots> fifths{};  // 0 none, 1 to 5
+        bool isAny = false;
+    };
+    Signals m_signals;
     std::array<double, kAxisCount> m_moveSpeed{};
     bool m_hasFrameSensor = false;  // according to the parameters
     std::array<double, kAxisCount> m_targetSpeed{};  // at which CONTROL turns the targets now

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/simplebgc/choices.h"
+#include "protocol/simplebgc/messages.h"
 #include "protocol/simplebgc/telemetrytables.h"
 #include "protocol/simplebgc/units.h"
 #include "protocol/simulator/simplebgc/board.h"
@@ -114,6 +115,15 @@ bool SimulatedBoard::handleRead(const Frame &frame)
             return false;
         readParams(frame, ParamsExt2);
         return true;
+    case CommandId::ReadParamsExt3:
+        if (m_options.firmware < kExt3Since)
+            return false;
+        readParams(frame, ParamsExt3);
+        return true;
+    case CommandId::ReadAdjVarsCfg:
+        if (hasSize(frame, 0))
+            reply(frame, CommandId::ReadAdjVarsCfg, m_ram[AdjVarsCfg]);
+        return true;
     case CommandId::ReadProfileNames:
         reply(frame, CommandId::ReadProfileNames, encodeProfileNames(m_names));
         return true;
@@ -158,6 +168,17 @@ bool SimulatedBoard::handleRead(const Frame &frame)
         reply(frame, CommandId::DebugVars3, encodeDebugVars(debugVariables(), debugValues()));
         return true;
     case CommandId::GetAdjVarsVal: getAdjVars(frame); return true;
+    case CommandId::AdjVarsState:
+        if (frame.payload.size() == 2 || frame.payload.size() == 7)
+            reply(frame, CommandId::AdjVarsState, slotState(frame));
+        else
+            refuse(frame, kWrongSize);
+        return true;
+    case CommandId::ReadRcInputs:
+        if (m_options.firmware < kLater)
+            return false;
+        reply(frame, CommandId::ReadRcInputs, rcInputs(frame));
+        return true;
     case CommandId::GetParams3:
         refuse(frame, kNotSupported);  // "not yet implemented" according to the document
         return true;
@@ -177,6 +198,12 @@ bool SimulatedBoard::handleWrite(const Frame &frame)
             return false;
         writeParams(frame, ParamsExt2);
         return true;
+    case CommandId::WriteParamsExt3:
+        if (m_options.firmware < kExt3Since)
+            return false;
+        writeParams(frame, ParamsExt3);
+        return true;
+    case CommandId::WriteAdjVarsCfg: writeParams(frame, AdjVarsCfg); return true;
     case CommandId::WriteParamsSet:
         if (m_options.firmware < 2704)
             return false;
@@ -289,6 +316,12 @@ bool SimulatedBoard::handleAction(const Frame &frame)
         registerStream(frame);
         return true;
     case CommandId::BeepSound: return m_options.firmware >= 2590;
+    case CommandId::ApiVirtChControl: setChannels(frame); return true;
+    case CommandId::ApiVirtChHighRes:
+        if (m_options.firmware < 2687)
+            return false;
+        setChannels(frame);
+        return true;
     case CommandId::Reset: {
         double delay = 0;
         if (frame.payload.size() >= 3) {
@@ -324,8 +357,10 @@ void SimulatedBoard::writeParams(const Frame &frame, int block)
 {
     if (!hasSize(frame, kBlocks[block].size))
         return;
+    // The slots belong to the board, and writing them loads no profile.
+    const bool isBoardWide = block == AdjVarsCfg;
     const int asked = quint8(frame.payload[0]);
-    const int profile = asked < kProfileCount ? asked : m_active;
+    const int profile = !isBoardWide && asked < kProfileCount ? asked : m_active;
     QByteArray bytes = frame.payload;
     ++m_writesSeen;
     if (m_options.faults.resetOnWrite > 0 && m_writesSeen == m_options.faults.resetOnWrite) {
@@ -340,7 +375,10 @@ void SimulatedBoard::writeParams(const Frame &frame, int block)
     // The other blocks of the newly active profile are loaded from memory; unsaved variables are lost.
     m_eeprom[std::size_t(profile)][std::size_t(block)] = bytes;
     shareBoardValues(profile);
-    loadProfile(profile);
+    if (isBoardWide)
+        m_ram[std::size_t(block)] = bytes;
+    else
+        loadProfile(profile);
     m_replies.push_back(
         {m_now + kWriteLatency,
          encodeFrame(number(CommandId::Confirm), QByteArray(1, static_cast<char>(frame.id)), frame.version)});

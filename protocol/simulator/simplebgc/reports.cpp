@@ -76,8 +76,8 @@ QByteArray SimulatedBoard::realtime(bool extended) const
     for (std::size_t i = 0; i < kAxisCount; ++i)
         writer.i16(toCount16(s.acc()[i], kAccUnit)).i16(toCount16(s.gyro(kAxes[i]), kGyroUnit));
     writer.u16(int(std::min<quint64>(m_serialErrors, 65535))).u16(errors).u8(m_emergency ? 9 : 0).zeros(3);
-    for (int i = 0; i < 4; ++i)
-        writer.i16(1500);
+    for (const char *input : {"roll", "pitch", "yaw", "cmd"})
+        writer.i16(1500 + int(std::lround(500 * rcInput(QLatin1String(input)).value_or(0))));
     writer.i16(0).i16(0);
     for (const Axis axis : kAxes)
         writer.i16(reportedAngle(s.estimate(axis)));

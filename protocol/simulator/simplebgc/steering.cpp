@@ -39,7 +39,6 @@ void SimulatedBoard::control(const Frame &frame)
 
 void SimulatedBoard::menu(int action, const Frame &frame)
 {
-    static const QMap<int, int> profiles{{1, 0}, {2, 1}, {3, 2}, {14, 3}, {15, 4}};
     const bool known
         = std::any_of(std::begin(kMenuActions), std::end(kMenuActions), [&](const Choice &choice) {
               return choice.value == action && m_options.firmware >= choice.since;
@@ -49,6 +48,12 @@ void SimulatedBoard::menu(int action, const Frame &frame)
         return;
     }
     confirm(frame);
+    runMenu(action, frame.version);
+}
+
+void SimulatedBoard::runMenu(int action, int version)
+{
+    static const QMap<int, int> profiles{{1, 0}, {2, 1}, {3, 2}, {14, 3}, {15, 4}};
     if (profiles.contains(action)) {
         loadProfile(profiles.value(action));
         return;
@@ -56,13 +61,12 @@ void SimulatedBoard::menu(int action, const Frame &frame)
     switch (action) {
     case 6:
     case 9: {
-        Frame calibration(number(action == 9 ? CommandId::CalibGyro : CommandId::CalibAcc), {},
-                          frame.version);
-        startCalibration(calibration);
+        startCalibration(
+            Frame(number(action == 9 ? CommandId::CalibGyro : CommandId::CalibAcc), {}, version));
         break;
     }
     case 7:
-        reply(frame, CommandId::Reset, {});
+        send(CommandId::Reset, {}, version);
         restart(kResetNotice);
         break;
     case 10:

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/base/result.h"
+
+namespace bcflight {
+
+/// Reads what is to replace a drone's program. No document says how such a file looks, so only what is known
+/// to be something else is refused. Errors: BadFile (missing, empty, over 4 MiB, another kind of file).
+[[nodiscard]] Result<QByteArray> readFirmware(const QString &path);
+
+}  // namespace bcflight

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every command of the serial API as a table: document "Command ID definitions", errata 2 and 3.
+#pragma once
+
+#include "protocol/base/result.h"
+#include "protocol/configuration/parameterspec.h"
+#include "protocol/device/actionspec.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace simplebgc {
+
+/// How a field stands in a payload, little-endian (errata 0).
+enum class FieldType : std::uint8_t {
+    U8,
+    S8,
+    U16,
+    S16,
+    U24,
+    U32,
+    S32,
+    F32,
+    Bytes,  ///< as many as `count` says, 0: the rest. Without a name they are reserved: sent as zeros
+    Text,  ///< UTF-8 in so many bytes, padded with zeros
+    Sized,  ///< u8 length, then as many characters
+    Group,  ///< the fields in `inner`, `count` times, 0: as often as they fit
+};
+
+/// What the elements of a field are called: "speed" is "speed", "speed.roll", "speed.x" or "speed1".
+enum class Elements : std::uint8_t { One, Axes, Xyz, Numbered };
+
+/// One field of a payload.
+struct FieldSpec
+{
+    const char *name = "";
+    FieldType type = FieldType::U8;
+    int count = 1;
+    Elements elements = Elements::One;
+    const char *unit = "";
+    double scale = 1;  ///< raw x scale = value in that unit
+    std::span<const Choice> words{};  ///< of its numbers
+    std::span<const FieldSpec> inner{};
+};
+
+using Fields = std::span<const FieldSpec>;
+
+/// What the board says to a command.
+enum class Reply : std::uint8_t { None, Confirm, Frame };
+
+/// One command, both ways. The board's frames of the same number may be something else.
+struct MessageSpec
+{
+    int id = 0;
+    const char *name = "";
+    std::optional<Fields> toBoard;  ///< none: there is no such direction, or nobody outside knows its layout
+    std::optional<Fields> fromBoard;
+    Reply reply = Reply::None;
+    ActionRisk risk = ActionRisk::Destroys;  ///< of a payload by hand
+    int since = 0;  ///< firmware; 0: the document's; kLater where the errata say "later" only
+    int least = -1;  ///< bytes towards the board at least; -1: all of them
+    bool isPublic = true;  ///< false: its layout is in no public text
+    const char *where = "";  ///< where the program uses it; empty: by hand only (Console, `gimbalctl raw`)
+    int answeredBy = 0;  ///< the number of the reply where it is another
+};
+
+/// Stands for "later" where the errata name no version.
+inline constexpr int kLater = 2600;
+
+[[nodiscard]] std::span<const MessageSpec> messages();
+/// Null: no such number.
+[[nodiscard]] const MessageSpec *findMessage(int id);
+[[nodiscard]] const MessageSpec *findMessage(const QString &name);
+
+/// A number or a text that one field holds.
+struct FieldValue
+{
+    QString name;  ///< "roll.speed", "channel3"
+    const FieldSpec *spec = nullptr;
+    double number = 0;  ///< in the field's unit
+    QByteArray bytes = {};  ///< of Bytes, Text and Sized
+
+    [[nodiscard]] bool isText() const;
+    /// "16 (AUX1)", "12.50°".
+    [[nodiscard]] QString text() const;
+};
+
+/// The fields of a payload, as many as it holds whole; reserved ones are left out.
+[[nodiscard]] std::vector<FieldValue> decodeFields(Fields fields, Bytes payload);
+
+/// The names of the fields; where they repeat as often as they fit, those of the first.
+[[nodiscard]] QStringList fieldNames(Fields fields);
+
+/// A payload from words "name=value". What is not named behind the last field that is need not be there.
+/// @param least bytes that it has to have. Errors: InvalidArgument with the names; OutOfRange.
+[[nodiscard]] Result<QByteArray> encodeFields(Fields fields, const QStringList &words, int least);
+
+}  // namespace simplebgc

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Signals from outside: virtual channels, what they steer, and the slots that they work (document
+// API_VIRT_CH_CONTROL and READ_ADJ_VARS_CFG, errata 3.15 and 3.23).
+#include "protocol/simplebgc/adjustables.h"
+#include "protocol/simulator/simplebgc/board.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace simplebgc {
+
+namespace {
+
+constexpr int kFirstApiSource = 129;  // errata 4.3
+constexpr int kLastApiSource = 159;
+constexpr int kUndefined = -10000;
+constexpr int kFineUndefined = -32768;
+constexpr double kFull = 500;
+constexpr double kFineFull = 16384;
+constexpr int kNewSlotState = 2625;  // from here on ADJ_VARS_STATE is asked by source
+
+int fine(const std::optional<double> &signal)
+{
+    return signal ? int(std::lround(*signal * kFineFull)) : kFineUndefined;
+}
+
+int coarse(const std::optional<double> &signal)
+{
+    return signal ? int(std::lround(*signal * kFull)) : kUndefined;
+}
+
+}  // namespace
+
+void SimulatedBoard::setChannels(const Frame &frame)
+{
+    const bool isFine = frame.id == number(CommandId::ApiVirtChHighRes);
+    ByteReader reader(frame.payload);
+    for (std::size_t i = 0; i < m_signals.channels.size() && reader.remaining() >= 2; ++i) {
+        const int raw = reader.i16();
+        const bool isUndefined = raw == (isFine ? kFineUndefined : kUndefined);
+        m_signals.channels[i] = isUndefined
+            ? std::nullopt
+            : std::optional(std::clamp(raw / (isFine ? kFineFull : kFull), -1.0, 1.0));
+    }
+    m_signals.isAny = std::any_of(m_signals.channels.begin(), m_signals.channels.end(),
+                                  [](const auto &channel) { return channel.has_value(); });
+}
+
+std::optional<double> SimulatedBoard::signal(int source) const
+{
+    if (source < kFirstApiSource || source > kLastApiSource)
+        return {};  // there is no receiver, and nothing at the analog inputs
+    return m_signals.channels[std::size_t(source - kFirstApiSource)];
+}
+
+std::optional<double> SimulatedBoard::rcInput(const QString &name) const
+{
+    return signal(int(value(u"rc.map."_s + name)));
+}
+
+// By an angle or a speed, as the profile says.
+std::optional<double> SimulatedBoard::rcTarget(Axis axis)
+{
+    const auto stick = m_signals.isAny ? rcInput(QLatin1String(axisKey(axis))) : std::nullopt;
+    if (!stick)
+        return {};
+    const double band = value(u"rc.deadband"_s) / kFull;
+    const double beyond = std::abs(*stick) < band ? 0.0 : *stick;
+    const double low = axisValue("rc.%a.min_angle", axis);
+    const double high = axisValue("rc.%a.max_angle", axis);
+    const double turn = axisValue("rc.%a.speed", axis);
+    const double before = m_stabilizer.target(axis);
+    const bool isSpeed = int(axisValue("rc.%a.mode", axis)) & 1;
+    if (isSpeed)
+        return std::clamp(before + beyond * turn * Stabilizer::kCycle, std::min(low, before),
+                          std::max(high, before));
+    const double goal = (low + high) / 2 + beyond * (high - low) / 2;
+    const double step = std::max(5.0, turn) * Stabilizer::kCycle;
+    return before + std::clamp(goal - before, -step, step);
+}
+
+void SimulatedBoard::updateSlots()
+{
+    if (!m_signals.isAny) {
+        m_signals.fifths = {};
+        return;
+    }
+    const QByteArray &memory = m_ram[AdjVarsCfg];
+    for (int i = 0; i < kTriggerSlots; ++i) {
+        const auto stick = signal(quint8(memory[6 * i]));
+        const int fifth = stick ? std::clamp(int((*stick + 1.0) / 0.4), 0, 4) + 1 : 0;
+        const int before = std::exchange(m_signals.fifths[std::size_t(i)], fifth);
+        const int action = fifth > 0 ? quint8(memory[6 * i + fifth]) : 0;
+        if (fifth != before && action != 0)
+            runMenu(action, m_lastVersion);
+    }
+    bool hasChanged = false;
+    const auto variables = adjustablesOf(m_options.firmware);
+    for (int i = 0; i < kAnalogSlots; ++i) {
+        const char *slot = memory.constData() + 60 + 4 * i;
+        const auto stick = signal(quint8(slot[0]));
+        const int id = quint8(slot[1]) & 0x7F;
+        if (!stick || id >= int(variables.size()))
+            continue;
+        const AdjustableSpec &variable = variables[std::size_t(id)];
+        const double share = (*stick + 1.0) / 2;
+        const double place = (quint8(slot[2]) + share * (quint8(slot[3]) - quint8(slot[2]))) / 255.0;
+        const auto wanted = qint32(std::lround(variable.min + place * (variable.max - variable.min)));
+        if (adjVar(id) != wanted)
+            hasChanged |= setAdjVar(id, wanted);
+    }
+    if (hasChanged)
+        applyParameters();
+}
+
+QByteArray SimulatedBoard::slotState(const Frame &frame) const
+{
+    ByteReader reader(frame.payload);
+    const QByteArray &memory = m_ram[AdjVarsCfg];
+    const int trigger = std::min(int(reader.u8()), kTriggerSlots - 1);
+    const auto stick = signal(quint8(memory[6 * trigger]));
+    const int fifth = m_signals.fifths[std::size_t(trigger)];
+    const int action = fifth > 0 ? quint8(memory[6 * trigger + fifth]) : 0;
+    ByteWriter writer;
+    if (m_options.firmware < kNewSlotState) {
+        const int analog = std::min(int(reader.u8()), kAnalogSlots - 1);
+        const int id = quint8(memory[60 + 4 * analog + 1]) & 0x7F;
+        writer.i16(coarse(stick)).u8(action).i16(coarse(signal(quint8(memory[60 + 4 * analog]))));
+        return writer.i32(adjVar(id).value_or(0)).zeros(6).take();
+    }
+    const int source = reader.u16();
+    const int id = reader.u8();
+    const int table = reader.u16();
+    const int tableId = reader.u8();
+    writer.i16(fine(stick)).u8(action).i16(fine(signal(source))).f32(float(adjVar(id).value_or(0)));
+    return writer.i16(fine(signal(table))).f32(float(adjVar(tableId).value_or(0))).take();
+}
+
+QByteArray SimulatedBoard::rcInputs(const Frame &frame) const
+{
+    ByteReader reader(frame.payload);
+    reader.skip(2);
+    ByteWriter writer;
+    while (reader.remaining() > 0)
+        writer.i16(fine(signal(reader.u8())));
+    return writer.take();
+}
+
+}  // namespace simplebgc

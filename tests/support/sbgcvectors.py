@@ -1,0 +1,236 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Makes tests/unit/sbgcvectors.h: payloads of SimpleBGC's serial API, packed here by hand after the document
+and the errata (sections 2 and 3), with what stands in them. It knows nothing of the program's table."""
+import struct
+import sys
+
+ROWS = []
+
+
+def p(layout, *values):
+    return struct.pack('<' + layout, *values)
+
+
+def row(name, way, payload, fields=''):
+    """way: > towards the board, < from it; fields: "name=number", in the units of the program"""
+    ROWS.append((name, way, payload, fields))
+
+
+def count(n):
+    return bytes(range(n))
+
+
+D = 360 / 16384  # 14-bit angle
+RATE = 0.06103701895
+SPEED = 0.1220740379
+
+# --- parameters: profile, then values ---
+for name, size in (('PARAMS_3', 134), ('PARAMS_EXT', 104), ('PARAMS_EXT2', 151), ('PARAMS_EXT3', 221)):
+    row('READ_' + name, '>', b'\x02', 'profile=2')
+    row('READ_' + name, '<', count(size), 'profile=0')
+    row('WRITE_' + name, '>', b'\x04' + count(size - 1), 'profile=4')
+row('READ_PARAMS', '>', b'\xff', 'profile=255')
+row('READ_PARAMS', '<', count(134), 'profile=0')
+row('WRITE_PARAMS', '>', b'\x01' + count(133), 'profile=1')
+
+# --- board ---
+row('BOARD_INFO', '>', b'', '')
+row('BOARD_INFO', '>', p('H', 20), 'gap=20')
+row('BOARD_INFO', '<', p('BHBHBIHBBBH', 36, 2738, 5, 0x41, 1, 7, 3, 4, 5, 6, 2700),
+    'board=3.6 firmware=2738 state=5 features=65 connection=1 extra=7 features.ext=3 imu.main=4 imu.frame=5 build=6 base=2700')
+row('BOARD_INFO_3', '>', b'', '')
+row('BOARD_INFO_3', '<', b'DEVICE-ID' + b'MCU-ID-12345' + p('I5HBBBH5HHIBBB', 32768, 1, 2, 3, 4, 5, 0x21, 2, 8, 0, 6, 7, 8, 9, 10, 1, 5, 1, 0, 80) + bytes(10),
+    'eeprom=32768 script1=1 script5=5 sets.used=33 set=2 flash=8 script.more1=6 script.more5=10 hardware=1 features.ext2=5 can.main=1 can.aux=0 variables=80')
+row('RESET', '>', p('BH', 1, 1000), 'notice=1 delay=1000')
+row('RESET', '<', b'', '')
+row('BOOT_MODE_3', '>', p('BH', 1, 500), 'notice=1 delay=500')
+row('CONFIRM', '<', p('BI', 47, 128), 'command=47')
+row('ERROR', '<', p('BB4s', 200, 6, b''), 'command=200 code=6')
+row('MOTORS_ON', '>', b'', '')
+row('MOTORS_OFF', '>', b'', '')
+row('MOTORS_OFF', '>', b'\x02', 'how=2')
+row('USE_DEFAULTS', '>', b'\xfd', 'scope=253')
+row('EXECUTE_MENU', '>', b'\x12', 'action=18')
+row('EXECUTE_MENU', '>', b'\x12\x03', 'action=18 flags=3')
+row('READ_PROFILE_NAMES', '>', b'', '')
+names = b''.join(n.encode().ljust(48, b'\0') for n in ('One', 'Zwei', 'Käse', '', 'V'))
+row('READ_PROFILE_NAMES', '<', names, '')
+row('WRITE_PROFILE_NAMES', '>', names, '')
+row('PROFILE_SET', '>', p('BB8x', 6, 3), 'slot=6 action=3')
+row('WRITE_PARAMS_SET', '>', b'\x01', 'action=1')
+row('GET_PARAMS_3', '>', b'', '')
+row('SIGN_MESSAGE', '>', p('B32s', 1, b'text'), 'type=1')
+row('SIGN_MESSAGE', '<', count(32), '')
+row('EVENT', '<', p('BB2s', 3, 2, b'\x05\x00'), 'event=3 type=2')
+row('SET_DEBUG_PORT', '>', p('BI11x', 1, 0x10), 'on=1 filter=16')
+row('SET_DEBUG_PORT', '<', p('HBB', 100, 1, 67) + b'ab', 'time=100 port=1 command=67')
+
+# --- live data ---
+axes3 = sum(([512 * (a + 1), 100 * (a + 1)] for a in range(3)), [])
+rt3 = p('6hHHB3x4h2h3h3h3hHHBHBBB3B', *axes3, 3, 4, 5, 1500, 1501, 1502, 1503, 1504, 1505, 910, -455, 0, 1, 2, 3,
+        100, 200, 300, 800, 6, 7, 1234, 1, 2, 3, 11, 12, 13)
+assert len(rt3) == 63
+rt3told = ('roll.acc=1 pitch.acc=2 yaw.acc=3 serial.errors=3 system.error=4 sub.error=5 rc.roll=1500 rc.cmd=1503 fc.roll=1504 '
+           f'imu.roll={910 * D} imu.pitch={-455 * D} frame.yaw={3 * D} target.yaw={300 * D} cycle=800 i2c.errors=6 error=7 battery=12.34 '
+           f'flags=1 imu.used=2 profile=3 power.roll=11 power.yaw=13 roll.gyro={100 * RATE}')
+row('REALTIME_DATA_3', '>', b'', '')
+row('REALTIME_DATA_3', '<', rt3, rt3told)
+row('REALTIME_DATA', '>', b'', '')
+rt4 = rt3 + p('3hx3hH3hbbBB3hBB3hI18x', 64, 128, 192, 1, 2, 3, 1500, 7, 8, 9, 41, -5, 15, 25, 10000, -5000, 0, 5, 6, 16, 32, 48, 0x2000)
+assert len(rt4) == 124
+row('REALTIME_DATA_4', '>', b'', '')
+row('REALTIME_DATA_4', '<', rt4, rt3told + f' motor.roll={64 * D} balance.yaw=3 current=1500 mag.roll=7 temperature=41 frame.temperature=-5 '
+    f'gravity.error=1.5 heading.error=2.5 output.roll=100 output.pitch=-50 calibration=5 can.error=6 actual.yaw={48 * D} state=8192')
+row('REALTIME_DATA_CUSTOM', '>', p('I6x', 0x119), 'flags=281')
+row('REALTIME_DATA_CUSTOM', '<', p('H', 500) + count(24), 'time=500')
+row('REALTIME_DATA_CUSTOM2', '>', p('I6x', 3), 'flags=3')
+row('REALTIME_DATA_CUSTOM2', '<', p('H', 500) + count(12), 'time=500')
+row('DATA_STREAM_INTERVAL', '>', p('BH8sB9x', 25, 20, b'\x07', 1), 'command=25 interval=20 sync=1')
+row('GET_ANGLES', '>', b'', '')
+row('GET_ANGLES', '<', p('9h', 455, 456, 10, -2048, -2048, 0, 1365, 1365, 82),
+    f'roll.imu={455 * D} roll.target={456 * D} roll.speed={10 * SPEED} pitch.imu={-2048 * D} yaw.speed={82 * SPEED}')
+row('GET_ANGLES_EXT', '>', b'', '')
+row('GET_ANGLES_EXT', '<', b''.join(p('hhi10x', a, a + 1, 20000 * a) for a in range(3)),
+    f'pitch.imu={D} pitch.target={2 * D} yaw.motor={40000 * D}')
+row('DEBUG_VARS_INFO_3', '>', b'', '')
+row('DEBUG_VARS_INFO_3', '>', b'\x20', 'first=32')
+row('DEBUG_VARS_INFO_3', '<', b'\x01\x03ABCx\x01\x00'.replace(b'x', b'\x17'), 'count=1 variable1.type=23 variable1.size=1')
+row('DEBUG_VARS_3', '>', b'', '')
+row('DEBUG_VARS_3', '>', p('II', 5, 1), 'mask1=5 mask2=1')
+row('DEBUG_VARS_3', '<', count(9), '')
+row('READ_RC_INPUTS', '>', p('HBB', 1, 2, 65), 'flags=1 source1=2 source2=65')
+row('READ_RC_INPUTS', '<', p('hh', -16384, -32768), 'input1=-16384 input2=-32768')
+row('READ_STATE_VARS', '>', b'', '')
+state = p('6BBBIHH4b4BIfIf152x', 1, 2, 3, 4, 5, 6, 7, 48, 3600, 12, 900, -10, 50, -20, 70, 1, 2, 3, 4, 60, 1.5, 120, 0.25)
+assert len(state) == 192
+told = 'step1=1 step6=6 sub.error=7 shock=3 work=3600 starts=12 current.max=900 temperature1=-10 shocks4=4 energy.time=60 energy=1.5 average.time=120 average=0.25'
+row('READ_STATE_VARS', '<', state, told)
+row('WRITE_STATE_VARS', '>', state, told)
+
+# --- steering ---
+row('CONTROL', '>', p('3B6h', 2, 0, 7, 246, 910, 0, 0, 1, 2), f'mode.roll=2 mode.yaw=7 roll.speed=246 roll.angle={910 * D} yaw.speed=1 yaw.angle={2 * D}')
+row('CONTROL_CONFIG', '>', p('H4BB', 500, 1, 2, 3, 4, 5) + b''.join(p('BBBHBx', 6, 7, 8, 900, 5) for _ in range(3)) + p('BHB9x', 50, 3, 2),
+    'timeout=500 uart1=1 usb=4 here=5 roll.lpf.angle=6 pitch.lpf.speed=7 yaw.lpf.rc=8 yaw.acceleration=900 yaw.jerk=100 expo=50 flags=3 euler=2')
+row('CONTROL_EXT', '>', p('HBBhi', 0x0007, 2, 0, 100, 200000), 'set=7')
+row('CONTROL_QUAT', '>', p('BB4f', 2, 1, 1, 0, 0, 0), 'mode=2 flags=1')
+row('CONTROL_QUAT_STATUS', '>', p('I', 3), 'set=3')
+row('CONTROL_QUAT_STATUS', '<', p('I', 3) + count(8), 'set=3')
+row('CONTROL_QUAT_CONFIG', '>', p('H3H', 1, 90, 80, 70), 'set=1')
+row('API_VIRT_CH_CONTROL', '>', p('3h', 500, -500, -10000), 'channel1=500 channel2=-500 channel3=-10000')
+row('API_VIRT_CH_HIGH_RES', '>', p('2h', 16384, -32768), 'channel1=16384 channel2=-32768')
+row('AHRS_HELPER', '>', b'\x02', 'mode=2')
+row('AHRS_HELPER', '>', p('B6f', 5, 0, 0, 1, 0, 1, 0), 'mode=5 z.z=1 h.y=1')
+row('AHRS_HELPER', '<', p('6f', 0, 0, 1, 0.5, 0, 0), 'z.z=1 h.x=0.5')
+row('GYRO_CORRECTION', '>', p('B4h', 1, 1000, -500, 0, 20), 'imu=1 zero.x=1 zero.y=-0.5 heading=0.02')
+row('HELPER_DATA', '>', p('5h', 512, 0, -256, 455, -455), f'acc.x=1 acc.z=-0.5 roll={455 * D} pitch={-455 * D}')
+row('HELPER_DATA', '>', p('5hB3hhx', 512, 0, 0, 0, 0, 3, 10, 20, 30, 910), f'acc.x=1 system=3 speed.x={10 * RATE} speed.z={30 * RATE} heading={910 * D}')
+row('SYNC_MOTORS', '>', p('BBHH', 1, 100, 500, 910), f'axis=1 power=100 time=500 angle={910 * D}')
+
+# --- variables ---
+row('SET_ADJ_VARS_VAL', '>', p('BBiBi', 2, 19, 100, 20, -5), 'count=2 variable1.id=19 variable1.value=100 variable2.id=20 variable2.value=-5')
+row('SET_ADJ_VARS_VAL', '<', p('BBi', 1, 42, 45), 'count=1 variable1.id=42 variable1.value=45')
+row('GET_ADJ_VARS_VAL', '>', p('4B', 3, 42, 43, 44), 'count=3 id1=42 id3=44')
+row('SET_ADJ_VARS_VAL_F', '>', p('BBf', 1, 19, 1.5), 'count=1 variable1.id=19 variable1.value=1.5')
+row('SET_ADJ_VARS_VAL_F', '<', p('BBf', 1, 19, 2.5), 'count=1 variable1.value=2.5')
+row('GET_ADJ_VARS_VAL_F', '>', p('2B', 1, 19), 'count=1 id1=19')
+row('SAVE_PARAMS_3', '>', b'', '')
+row('SAVE_PARAMS_3', '>', b'\x13\x14', 'id1=19 id2=20')
+slots = b''.join(bytes((t, 1, 2, 3, 4, 5)) for t in range(10)) + b''.join(bytes((s, s + 1, 0, 255)) for s in range(15)) + bytes(8)
+slottold = 'trigger1.source=0 trigger10.source=9 trigger10.action5=5 analog1.variable=1 analog15.source=14 analog15.variable=15 analog15.max=255'
+row('READ_ADJ_VARS_CFG', '>', b'', '')
+row('READ_ADJ_VARS_CFG', '<', slots, slottold)
+row('WRITE_ADJ_VARS_CFG', '>', slots, slottold)
+row('ADJ_VARS_STATE', '>', p('BHBHB', 3, 65, 19, 66, 20), 'trigger=3 analog=65 variable=19 table=66 table.variable=20')
+row('ADJ_VARS_STATE', '<', p('hBhfhf', -16384, 18, 8192, 1.5, 5, 2.5), 'trigger=-16384 action=18 analog=8192 value=1.5 table=5 table.value=2.5')
+row('ADJ_VARS_INFO', '>', b'\x05', 'first=5')
+row('ADJ_VARS_INFO', '<', b'\x02' + p('BB6shhi', 0, 6, b'P_ROLL', 0, 255, 60) + p('BB1shhi', 1, 1, b'X', -5, 5, 0),
+    'total=2 variable1.id=0 variable1.max=255 variable1.value=60 variable2.min=-5')
+
+# --- calibrations ---
+for name in ('CALIB_ACC', 'CALIB_GYRO', 'CALIB_MAG'):
+    row(name, '>', b'', '')
+    row(name, '>', p('BBH8x', 2, 3, 4000), 'imu=2 action=3 time=4000')
+row('CALIB_BAT', '>', p('H', 1234), 'voltage=12.34')
+for name in ('CALIB_EXT_GAIN', 'CALIB_MOTOR_MAG_LINK', 'CALIB_OFFSET', 'CALIB_POLES'):
+    row(name, '>', b'', '')
+row('ENCODERS_CALIB_OFFSET_4', '>', b'\xff', 'motor=255')
+row('ENCODERS_CALIB_FLD_OFFSET_4', '>', p('3h3hH', 1820, 0, 0, 100, 0, 0, 1), f'angle.roll={1820 * D} speed.roll={100 * RATE} flags=1')
+row('SELECT_IMU_3', '>', b'\x02', 'imu=2')
+row('CALIB_INFO', '>', p('B11x', 1), 'imu=1')
+row('CALIB_INFO', '<', p('BB3hHBBbBbbB6BbbB7x', 50, 1, 512, 0, -512, 20, 2, 0x15, 30, 1, -10, 40, 0, 1, 2, 3, 4, 5, 6, -5, 45, 150),
+    'progress=50 imu=1 acc.x=1 acc.z=-1 gyro=20 axis=2 limits=21 temperature=30 gyro.temp=1 gyro.min=-10 gyro.max=40 slots1=1 slots6=6 acc.min=-5 acc.max=45 heading.error=1.5')
+row('CALIB_ORIENT_CORR', '>', bytes(16), '')
+row('CALIB_COGGING', '>', p('BB', 1, 3) + b''.join(p('HBBH9x', 360, 50, 20, 30) for _ in range(3)) + p('B9x', 2),
+    'action=1 axes=3 roll.angle=360 pitch.smooth=50 yaw.speed=20 yaw.period=30 iterations=2')
+row('CALIB_ACC_EXT_REF', '>', p('3h14x', 0, 0, 512), 'acc.z=1')
+row('AUTO_PID', '>', p('BBBBB14x', 1, 15, 128, 0, 0), 'profile=1 flags=15 gain=128')
+row('AUTO_PID', '<', p('3B3B3B3HH', 1, 2, 3, 4, 5, 6, 7, 8, 9, 100, 200, 300, 12) + b''.join(p('f6x', 0.5 * (a + 1)) for a in range(3)) + bytes(10),
+    'p.roll=1 i.pitch=5 d.yaw=9 lpf.yaw=300 iteration=12 roll.error=0.5 yaw.error=1.5')
+tune2 = p('BH8x', 1, 1) + b'\x01' + b''.join(p('BBHBBB6x', 1, 50, 300, 20, 30, 25) for _ in range(3)) + p('HxBBB4b12x', 5, 10, 50, 3, -30, 0, 1, 10)
+assert len(tune2) == 73
+tune2told = 'action=1 command=1 version=1 roll.flags=1 pitch.gain=50 yaw.stimulus=300 yaw.margin=2.5 flags=5 from=1 to=50 positions=3 position1=-90 position4=30'
+row('AUTO_PID2', '>', tune2, tune2told)
+row('AUTO_PID2', '>', p('BH8x', 5, 0), 'action=5 command=0')
+row('AUTO_PID2', '<', tune2, tune2told)
+row('BODE_TEST_START_STOP', '>', p('BBHHBIBH16x', 1, 0, 100, 200, 2, 5000, 1, 3), 'axis=1 gain=100 end=200 system=2 samples=5000 mode=1 start=3')
+row('BODE_TEST_DATA', '<', p('B4f4H', 1, -1, -2, 3, 4, 0, 1, 65534, 2), 'counter=1 in.min=-1 out.max=4 sample1.in=0 sample2.in=65534 sample2.out=2')
+
+# --- pins, sound, memory, files, scripts ---
+row('TRIGGER_PIN', '>', b'\x10\x01', 'pin=16 state=1')
+row('SERVO_OUT', '>', p('8h', 1500, -1, 0, 1000, 0, 0, 0, 0), 'servo1=1500 servo2=-1 servo4=1000')
+row('SERVO_OUT_EXT', '>', p('Ihh', 3, 1500, 900), 'mask=3 servo1=1500 servo2=900')
+row('BEEP_SOUND', '>', p('HBB8x2H', 32768, 5, 3, 987, 21000), 'sound=32768 length=40 decay=3 note1=987 note2=21000')
+row('I2C_WRITE_REG_BUF', '>', b'\xd0\x6b\x01', 'address=208 register=107')
+row('I2C_READ_REG_BUF', '>', b'\xd0\x75\x01', 'address=208 register=117 length=1')
+row('I2C_READ_REG_BUF', '<', b'\x68', '')
+row('WRITE_EXTERNAL_DATA', '>', count(128), '')
+row('READ_EXTERNAL_DATA', '>', b'', '')
+row('READ_EXTERNAL_DATA', '<', count(128), '')
+row('EEPROM_WRITE', '>', p('I', 128) + count(64), 'address=128')
+row('EEPROM_READ', '>', p('IH', 128, 64), 'address=128 size=64')
+row('EEPROM_READ', '<', p('I', 128) + count(64), 'address=128')
+row('READ_FILE', '>', p('BBHH14x', 1, 2, 3, 192), 'type=1 number=2 page=3 size=192')
+row('READ_FILE', '<', p('HH', 500, 3) + count(64), 'size=500 page=3')
+row('WRITE_FILE', '>', p('BBHH', 1, 2, 500, 3) + count(64), 'type=1 number=2 size=500 page=3')
+row('FS_CLEAR_ALL', '>', b'', '')
+row('RUN_SCRIPT', '>', p('BB32x', 2, 4), 'mode=2 slot=4')
+row('SCRIPT_DEBUG', '<', p('HB', 17, 2), 'command=17 code=2')
+
+# --- modules and motors outside ---
+row('MODULE_LIST', '>', b'', '')
+row('MODULE_LIST', '<', b'\x01' + p('BHHH6x', 3, 10, 20, 30), 'count=1 module1.id=3 module1.board=10 module1.firmware=30')
+row('CAN_DEVICE_SCAN', '>', b'', '')
+row('CAN_DEVICE_SCAN', '<', count(12) + b'\x07\x02', 'device1.id=7 device1.type=2')
+row('EXT_IMU_DEBUG_INFO', '>', b'', '')
+row('EXT_IMU_DEBUG_INFO', '<', p('BB4BBHHBB13x9f3f', 1, 2, 3, 4, 5, 6, 7, 800, 9, 10, 11, *([0.5] * 9), 1, 2, 3),
+    'main.source=1 frame.source=2 error1=0.3 status=7 packets=800 parse.errors=9 heading.error=10 z.error=11 matrix9=0.5 acc.z=3')
+row('EXT_IMU_CMD', '>', b'\x01ab', 'command=1')
+row('EXT_IMU_CMD', '<', b'\x01cd', 'command=1')
+row('EXT_SENS_CMD', '>', b'\x01\x02ab', 'sensor=1 command=2')
+row('EXT_SENS_CMD', '<', b'\x02cd', 'command=2')
+row('TRANSPARENT_SAPI', '>', b'\x01ab', 'target=1')
+row('TRANSPARENT_SAPI', '<', b'abc', '')
+row('CAN_DRV_TELEMETRY', '<', p('BH', 1, 500) + b'ab', 'driver=1 time=500')
+row('EXT_MOTORS_ACTION', '>', b'\x81\x04', 'motors=129 action=4')
+row('EXT_MOTORS_CONTROL', '>', b'\x01\x00' + p('i', 5), 'motors=1 set=0')
+row('EXT_MOTORS_CONTROL_CONFIG', '>', p('BHBHHHH', 1, 31, 2, 50, 100, 30, 40), 'motors=1 set=31 mode=2 speed=100 acceleration=200 jerk=30 torque=40')
+row('EXT_MOTORS_STATE', '>', p('BI', 1, 3), 'motors=1 set=3')
+row('EXT_MOTORS_STATE', '<', p('BI', 1, 3) + b'ab', 'motor=1 set=3')
+
+
+def main():
+    out = ['// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors', '// SPDX-License-Identifier: GPL-3.0-or-later',
+           '// Made by tests/support/sbgcvectors.py from the document and the errata.', '#pragma once', '',
+           'struct SbgcVector', '{', '    const char *name;', "    char way;  // >: towards the board, <: from it", '    const char *hex;  // the payload',
+           '    const char *fields;', '};', '', '// clang-format off', 'inline constexpr SbgcVector kSbgcVectors[] = {']
+    for name, way, payload, fields in ROWS:
+        assert len(payload) <= 255, name
+        out.append(f'    {{"{name}", \'{way}\', "{payload.hex()}", "{fields}"}},')
+    out += ['};', '// clang-format on', '']
+    with open(sys.argv[1], 'w') as file:
+        file.write('\n'.join(out))
+
+
+main()

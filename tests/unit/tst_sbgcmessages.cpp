@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/simplebgc/commands.h"
+#include "protocol/simplebgc/frametext.h"
+#include "protocol/simplebgc/messages.h"
+#include "tests/unit/sbgcvectors.h"
+
+#include <QFile>
+#include <QTest>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+using namespace simplebgc;
+
+namespace {
+
+const MessageSpec *messageOf(const SbgcVector &vector)
+{
+    const QString name = QString::fromLatin1(vector.name);
+    return name == u"CONFIRM"_s ? findMessage(67) : findMessage(name);
+}
+
+const std::optional<Fields> &fieldsOf(const SbgcVector &vector)
+{
+    const MessageSpec *message = messageOf(vector);
+    return vector.way == '>' ? message->toBoard : message->fromBoard;
+}
+
+QStringList wordsOf(Fields fields, const QByteArray &payload)
+{
+    QStringList words;
+    for (const FieldValue &value : decodeFields(fields, asBytes(payload))) {
+        const QString text = value.spec->type == FieldType::Bytes ? QString::fromLatin1(value.bytes.toHex())
+            : value.isText()                                      ? QString::fromUtf8(value.bytes)
+                                                                  : QString::number(value.number, 'g', 17);
+        words.append(value.name + u'=' + text);
+    }
+    return words;
+}
+
+// One row of the table in CONTRIBUTING.md.
+QString rowOf(const MessageSpec &message)
+{
+    const QString ways = message.toBoard && message.fromBoard ? u"both"_s
+        : message.toBoard                                     ? u"to the board"_s
+        : message.fromBoard                                   ? u"from the board"_s
+                                                              : u"?"_s;
+    const QString state = !message.isPublic ? u"raw: no public layout"_s
+        : *message.where                    ? u"in use"_s
+                                            : u"by hand"_s;
+    const QString where = *message.where ? QString::fromLatin1(message.where) : u"Console"_s;
+    return u"| %1 | %2 | %3 | %4 | %5 | %6 |"_s.arg(message.id)
+        .arg(QLatin1String(message.name), ways,
+             message.since == 0 ? QString() : QString::number(message.since), state, where);
+}
+
+}  // namespace
+
+class TestSbgcMessages : public QObject
+{
+    Q_OBJECT
+private slots:
+    void numbersAreInOrder();
+    void everyLayoutHasAVector();
+    void layoutsAreThoseOfTheErrata_data();
+    void layoutsAreThoseOfTheErrata();
+    void commandsAreGivenByName();
+    void whatIsWrongIsSaid_data();
+    void whatIsWrongIsSaid();
+    void framesAreWorded();
+    void tableIsInTheHandbook();
+};
+
+void TestSbgcMessages::numbersAreInOrder()
+{
+    int before = 0;
+    QStringList names;
+    for (const MessageSpec &message : messages()) {
+        QVERIFY2(message.id > before && message.id < 256, message.name);
+        before = message.id;
+        QVERIFY2(!names.contains(QLatin1String(message.name)), message.name);
+        names.append(QLatin1String(message.name));
+        QVERIFY2(message.isPublic == (message.toBoard || message.fromBoard), message.name);
+        QCOMPARE(findMessage(message.id), &message);
+    }
+}
+
+// A command that is added without bytes from the errata fails here.
+void TestSbgcMessages::everyLayoutHasAVector()
+{
+    const auto has = [](const MessageSpec &message, char way) {
+        return std::any_of(std::begin(kSbgcVectors), std::end(kSbgcVectors), [&](const SbgcVector &vector) {
+            return vector.way == way && messageOf(vector) == &message;
+        });
+    };
+    for (const MessageSpec &message : messages()) {
+        QVERIFY2(!message.toBoard || has(message, '>'), message.name);
+        QVERIFY2(!message.fromBoard || has(message, '<'), message.name);
+    }
+}
+
+void TestSbgcMessages::layoutsAreThoseOfTheErrata_data()
+{
+    QTest::addColumn<int>("row");
+    for (std::size_t i = 0; i < std::size(kSbgcVectors); ++i)
+        QTest::addRow("%s %c %zu", kSbgcVectors[i].name, kSbgcVectors[i].way, i) << int(i);
+}
+
+void TestSbgcMessages::layoutsAreThoseOfTheErrata()
+{
+    QFETCH(int, row);
+    const SbgcVector &vector = kSbgcVectors[row];
+    QVERIFY(messageOf(vector) && fieldsOf(vector));
+    const Fields fields = *fieldsOf(vector);
+    const QByteArray payload = QByteArray::fromHex(vector.hex);
+    const auto values = decodeFields(fields, asBytes(payload));
+    for (const QString &pair : QString::fromLatin1(vector.fields).split(u' ', Qt::SkipEmptyParts)) {
+        const QString name = pair.section(u'=', 0, 0);
+        const auto value = std::find_if(values.begin(), values.end(),
+                                        [&name](const FieldValue &each) { return each.name == name; });
+        QVERIFY2(value != values.end(), qPrintable(name));
+        QVERIFY2(std::abs(value->number - pair.section(u'=', 1).toDouble()) < 1e-9, qPrintable(pair));
+    }
+    // The way back: from what was read the same bytes are made.
+    if (vector.way != '>' || messageOf(vector)->id == number(CommandId::WriteProfileNames))
+        return;
+    const auto again = encodeFields(fields, wordsOf(fields, payload), messageOf(vector)->least);
+    QVERIFY2(again, again ? "" : qPrintable(again.error().detail));
+    QCOMPARE(again->toHex(), payload.toHex());
+}
+
+void TestSbgcMessages::commandsAreGivenByName()
+{
+    const auto pin = parseCommand(u"trigger_pin pin=AUX1 state=high"_s, 1);
+    QVERIFY2(pin, pin ? "" : qPrintable(pin.error().detail));
+    QCOMPARE(pin->bytes, encodeFrame(84, QByteArray::fromHex("1001")));
+    QCOMPARE(pin->risk, ActionRisk::Moves);
+    const auto hex = parseCommand(u"TRIGGER_PIN 10 01"_s, 1);
+    QVERIFY(hex);
+    QCOMPARE(hex->bytes, pin->bytes);
+    const auto notes = parseCommand(u"BEEP_SOUND sound=0x8000 length=40 decay=3 note1=988 note2=21000"_s, 1);
+    QVERIFY2(notes, notes ? "" : qPrintable(notes.error().detail));
+    QCOMPARE(notes->bytes.size(), 5 + 12 + 4);
+    // The short form, and what only asks.
+    QCOMPARE(parseCommand(u"EXECUTE_MENU action=18"_s, 1)->bytes, encodeFrame(69, "\x12"));
+    QCOMPARE(parseCommand(u"AHRS_HELPER mode=2"_s, 1)->risk, ActionRisk::Safe);
+    QCOMPARE(parseCommand(u"AHRS_HELPER mode=5 z.x=0 z.y=0 z.z=1 h.x=0 h.y=1 h.z=0"_s, 1)->risk,
+             ActionRisk::Moves);
+    QCOMPARE(parseCommand(u"SYSTEM_STATE 01"_s, 1)->risk, ActionRisk::Destroys);
+}
+
+void TestSbgcMessages::whatIsWrongIsSaid_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("no field") << u"TRIGGER_PIN pin=16 level=1"_s
+                              << u"state is missing; the fields are pin, state"_s;
+    QTest::newRow("too many") << u"TRIGGER_PIN pin=16 state=1 more=1"_s << u"'more'"_s;
+    QTest::newRow("not a number") << u"TRIGGER_PIN pin=here state=1"_s << u"'here' is not a number"_s;
+    QTest::newRow("too large") << u"TRIGGER_PIN pin=256 state=1"_s << u"0 .. 255"_s;
+    QTest::newRow("twice") << u"TRIGGER_PIN pin=1 pin=2"_s << u"twice"_s;
+    QTest::newRow("no name") << u"TRIGGER_PIN pin=1 =2"_s << u"name=value"_s;
+    QTest::newRow("not finite") << u"AHRS_HELPER mode=1 z.x=nan"_s << u"not a number"_s;
+    QTest::newRow("from the board") << u"EVENT event=1"_s << u"the board sends"_s;
+    QTest::newRow("nothing of it") << u"TRIGGER_PIN high"_s << u"pin=... state=..."_s;
+    QTest::newRow("bytes") << u"EEPROM_WRITE address=0 data=xy"_s << u"hex"_s;
+    QTest::newRow("too long") << u"WRITE_EXTERNAL_DATA data=%1"_s.arg(QString(258, u'0')) << u"128"_s;
+    QTest::newRow("nothing") << u"NOTHING"_s << u"there is no command"_s;
+}
+
+void TestSbgcMessages::whatIsWrongIsSaid()
+{
+    QFETCH(QString, text);
+    QFETCH(QString, said);
+    const auto command = parseCommand(text, 1);
+    QVERIFY(!command);
+    QVERIFY2(command.error().detail.contains(said), qPrintable(command.error().detail));
+}
+
+void TestSbgcMessages::framesAreWorded()
+{
+    const auto worded = [](int id, const char *hex, bool fromBoard) {
+        const QByteArray payload = QByteArray::fromHex(hex);
+        return describeFrame({id, asBytes(payload), 1, {}}, fromBoard, nullptr).fields;
+    };
+    QCOMPARE(worded(84, "1001", false), u"pin 16 (AUX1), state 1 (high)"_s);
+    QCOMPARE(worded(66, "d204", false), u"voltage 12.34 V"_s);
+    QCOMPARE(worded(57, "0204", false), u"mode 2 (start with debug), slot 4"_s);
+    QCOMPARE(worded(58, "110002", true), u"command 17, code 2 (file not found)"_s);
+    QCOMPARE(worded(52, "0102", false), u"its layout is not public"_s);
+    QCOMPARE(worded(200, "01", false), QString());
+    // Every vector has words, and what is cut off anywhere does no harm.
+    for (const SbgcVector &vector : kSbgcVectors) {
+        const QByteArray payload = QByteArray::fromHex(vector.hex);
+        for (qsizetype length = 0; length <= payload.size(); ++length) {
+            const QByteArray part = payload.left(length);
+            const FrameText text
+                = describeFrame({messageOf(vector)->id, asBytes(part), 1, {}}, vector.way == '<', nullptr);
+            QVERIFY2(!text.name.isEmpty(), vector.name);
+        }
+    }
+}
+
+// GIMBAL_WRITE_TABLES=1 writes it.
+void TestSbgcMessages::tableIsInTheHandbook()
+{
+    QStringList rows{u"| Number | Command | Way | Since | State | Where |"_s, u"|---|---|---|---|---|---|"_s};
+    for (const MessageSpec &message : messages())
+        rows.append(rowOf(message));
+    const QString begin = u"<!-- commands of SimpleBGC -->\n"_s;
+    const QString end = u"\n<!-- end of commands -->"_s;
+    QFile file(QStringLiteral(GIMBAL_SOURCE_DIR "/CONTRIBUTING.md"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QString text = QString::fromUtf8(file.readAll());
+    file.close();
+    const qsizetype from = text.indexOf(begin) + begin.size();
+    const qsizetype to = text.indexOf(end);
+    QVERIFY(from >= begin.size() && to >= from);
+    const QString wanted = rows.join(u'\n');
+    if (qEnvironmentVariableIsSet("GIMBAL_WRITE_TABLES")) {
+        text.replace(from, to - from, wanted);
+        QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+        file.write(text.toUtf8());
+        return;
+    }
+    QCOMPARE(text.mid(from, to - from), wanted);
+}
+
+QTEST_GUILESS_MAIN(TestSbgcMessages)
+#include "tst_sbgcmessages.moc"
