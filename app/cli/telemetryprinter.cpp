@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <unistd.h>
 
 using namespace Qt::StringLiterals;
 
@@ -21,6 +22,9 @@ constexpr auto kUnderWay = 500ms;  // what was sent in time is here by then
 
 Error outputError(int code)
 {
+    // A stream that has written before it was flushed kept no reason; one byte more is refused for the same.
+    if (code == 0 && ::write(STDOUT_FILENO, "\n", 1) < 0)
+        code = errno;
     return FileFault{.problem = code == ENOSPC ? FileProblem::DiskFull : FileProblem::System,
                      .kind = FileKind::Other,
                      .path = u"stdout"_s,

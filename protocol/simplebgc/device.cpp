@@ -221,19 +221,6 @@ Result<BoardIdentity> Device::identify(Channel &channel)
     return m_identity;
 }
 
-std::vector<NotchFilter> Device::notchesOf(Axis axis) const
-{
-    std::vector<NotchFilter> filters;
-    const QString prefix = u"filter.%1."_s.arg(QLatin1String(axisKey(axis)));
-    for (int n = 0; n < 3; ++n) {
-        const QString notch = prefix + u"notch%1."_s.arg(n + 1);
-        if (m_parameters && m_parameters->find(notch + u"frequency"_s))
-            filters.push_back(
-                {notch + u"frequency"_s, notch + u"width"_s, notch + u"gain"_s, prefix + u"enabled"_s, n});
-    }
-    return filters;
-}
-
 Result<Configuration> Device::readConfiguration(Channel &channel)
 {
     Configuration configuration(m_identity, m_parameters);

@@ -12,11 +12,24 @@ using namespace Qt::StringLiterals;
 
 namespace simplebgc {
 
-// Inspection: adjustable variables, debug variables, frames in readable form.
+// Inspection: adjustable variables, notch filters, debug variables, frames in readable form.
 
 std::span<const AdjustableSpec> Device::adjustables() const
 {
     return adjustablesOf(m_identity.firmwareNumber);
+}
+
+std::vector<NotchFilter> Device::notchesOf(Axis axis) const
+{
+    std::vector<NotchFilter> filters;
+    const QString prefix = u"filter.%1."_s.arg(QLatin1String(axisKey(axis)));
+    for (int n = 0; n < 3; ++n) {
+        const QString notch = prefix + u"notch%1."_s.arg(n + 1);
+        if (m_parameters && m_parameters->find(notch + u"frequency"_s))
+            filters.push_back(
+                {notch + u"frequency"_s, notch + u"width"_s, notch + u"gain"_s, prefix + u"enabled"_s, n});
+    }
+    return filters;
 }
 
 Result<std::vector<DebugVariable>> Device::debugVariables(Channel &channel)

@@ -13,9 +13,9 @@ namespace simplebgc {
 
 namespace {
 
-constexpr int kAnyFirmware = 99999;
-constexpr int kBeforeLater = 2599;
-constexpr double kPercent = 100.0 / 255.0;
+constexpr int kNewest = 99999;
+constexpr int kLastOld = 2599;
+constexpr double kShare = 100.0 / 255.0;
 
 // clang-format off
 constexpr ParameterRow kTrigger{
@@ -57,11 +57,11 @@ constexpr ParameterRow kRows[] = {
      .max = 1, .scope = Scope::Board, .since = 2600},
     {.key = "slot.analog%n.min", .label = "Variable slot %1: at the lowest signal", .group = "Variable slots",
      .help = "Share of the variable's own range.",
-     .block = AdjVarsCfg, .offset = 62, .count = kAnalogSlots, .countStride = 4, .unit = "%", .scale = kPercent, .decimals = 1,
+     .block = AdjVarsCfg, .offset = 62, .count = kAnalogSlots, .countStride = 4, .unit = "%", .scale = kShare, .decimals = 1,
      .scope = Scope::Board},
     {.key = "slot.analog%n.max", .label = "Variable slot %1: at the highest signal", .group = "Variable slots",
      .help = "Share of the variable's own range.",
-     .block = AdjVarsCfg, .offset = 63, .count = kAnalogSlots, .countStride = 4, .unit = "%", .scale = kPercent, .decimals = 1,
+     .block = AdjVarsCfg, .offset = 63, .count = kAnalogSlots, .countStride = 4, .unit = "%", .scale = kShare, .decimals = 1,
      .defaults = {255}, .scope = Scope::Board},
 };
 // clang-format on
@@ -75,14 +75,14 @@ static_assert(rangesFit(kRows));
 std::span<const ParameterRow> slotRows()
 {
     static const std::vector<Choice> variables = [] {
-        const auto old = adjustablesOf(kBeforeLater);
+        const auto old = adjustablesOf(kLastOld);
         std::vector<Choice> all;
-        for (const AdjustableSpec &spec : adjustablesOf(kAnyFirmware)) {
+        for (const AdjustableSpec &spec : adjustablesOf(kNewest)) {
             Choice choice{spec.id, spec.label, spec.since};
             // Two of them were renumbered in meaning (errata 6, row 13).
             if (spec.id < int(old.size()) && qstrcmp(old[std::size_t(spec.id)].label, spec.label) != 0) {
-                all.push_back({spec.id, old[std::size_t(spec.id)].label, 0, kBeforeLater});
-                choice.since = kBeforeLater + 1;
+                all.push_back({spec.id, old[std::size_t(spec.id)].label, 0, kLastOld});
+                choice.since = kLastOld + 1;
             }
             all.push_back(choice);
         }

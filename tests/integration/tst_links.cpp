@@ -232,7 +232,7 @@ void TestLinks::serialPortOverPseudoTerminal()
     QCOMPARE(client->identity().firmware, u"2.59b0"_s);
     const auto configuration = read(*client);
     QVERIFY(configuration);
-    QCOMPARE(configuration->blocks().size(), std::size_t(15));
+    QCOMPARE(configuration->blocks().size(), std::size_t(20));
 
     // Write over the same port, and see that a second client reads it.
     Configuration edited = *configuration;

@@ -266,7 +266,7 @@ void TestSbgcDevice::missingExtendedBlocksAreLeftOut()
         channel.lose(CommandId::ReadParamsExt2, profile, 99);
     const auto configuration = bench.device.readConfiguration(channel);
     QVERIFY(configuration);
-    QCOMPARE(configuration->blocks().size(), std::size_t(10));
+    QCOMPARE(configuration->blocks().size(), std::size_t(15));
     QVERIFY(!configuration->raw(*configuration->parameters().find(u"motion.roll.acc_limit"_s), 0));
     QCOMPARE(*configuration->raw(*configuration->parameters().find(u"filter.roll.lpf"_s), 0), 400);
     // It is asked for in each profile, and not again and again at the end.
@@ -635,7 +635,7 @@ void TestSbgcDevice::survivesADisturbedCable()
         const auto configuration = bench.device.readConfiguration(bench.channel);
         if (!configuration)
             continue;
-        complete += configuration->blocks().size() == 15;
+        complete += configuration->blocks().size() == 20;
         // What arrived is right, whatever the cable did.
         for (const ParameterSpec &spec : configuration->parameters().all()) {
             const auto raw = configuration->raw(spec, 4);

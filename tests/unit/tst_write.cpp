@@ -646,7 +646,7 @@ void TestWrite::whatABadLineLostIsAskedForAgain()
     const auto read = bench.virtualBoard.device.readConfiguration(channel);
     QVERIFY(read);
     QCOMPARE(read->missingNames(), QStringList{u"PARAMS_EXT2 of profile 5"_s});
-    QCOMPARE(read->blocks().size(), std::size_t(14));
+    QCOMPARE(read->blocks().size(), std::size_t(19));
     QCOMPARE(read->activeProfile(), bench.base.activeProfile());
     QVERIFY(bench.base.changesTo(*read).empty());
 }
@@ -668,7 +668,7 @@ void TestWrite::oldFirmwareLacksNothing()
     options.firmware = 2400;
     const Bench bench(options, LineSettings{115200, Parity::Even});
     QVERIFY(bench.base.missing().empty());
-    QCOMPARE(bench.base.blocks().size(), std::size_t(10));
+    QCOMPARE(bench.base.blocks().size(), std::size_t(15));
 }
 
 void TestWrite::missingPartsSurviveInFiles()
