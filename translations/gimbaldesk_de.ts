@@ -9589,10 +9589,6 @@ Spitze %2°</translation>
         <translation>Beschleunigungssensor nicht kalibriert</translation>
     </message>
     <message>
-        <source>Action at start; 128 is added where the menu button must be held.</source>
-        <translation>Aktion beim Start; 128 kommt dazu, wo die Menütaste gehalten werden muss.</translation>
-    </message>
-    <message>
         <source>Action for so many presses of the menu button.</source>
         <translation>Aktion für so viele Drücke der Menütaste.</translation>
     </message>
@@ -16730,7 +16726,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Attitude sensor outside the board.</source>
-        <translation>Lagesensor außerhalb der Steuerung.</translation>
+        <translation>Lagesensor außerhalb des Boards.</translation>
     </message>
     <message>
         <source>Axis of the external sensor that points right.</source>
@@ -16942,7 +16938,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Further options of the board.</source>
-        <translation>Weitere Optionen der Steuerung.</translation>
+        <translation>Weitere Optionen des Boards.</translation>
     </message>
     <message>
         <source>Further options of this profile.</source>
@@ -16978,7 +16974,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>How fast it corrects the board&apos;s gyroscope.</source>
-        <translation>Wie schnell er das Gyroskop der Steuerung korrigiert.</translation>
+        <translation>Wie schnell er das Gyroskop des Boards korrigiert.</translation>
     </message>
     <message>
         <source>How fast the middle motor leaves an unfavourable position.</source>
@@ -16990,7 +16986,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>How long the board waits for it after the start.</source>
-        <translation>Wie lange die Steuerung nach dem Start auf ihn wartet.</translation>
+        <translation>Wie lange das Board nach dem Start auf ihn wartet.</translation>
     </message>
     <message>
         <source>How long the button is held to switch off.</source>
@@ -17126,7 +17122,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Pin of a buzzer outside the board.</source>
-        <translation>Pin eines Summers außerhalb der Steuerung.</translation>
+        <translation>Pin eines Summers außerhalb des Boards.</translation>
     </message>
     <message>
         <source>Pitch motor disabled</source>
@@ -17527,6 +17523,286 @@ Spitze %2°</translation>
     <message>
         <source>Yaw motor disabled</source>
         <translation>Yawmotor abgeschaltet</translation>
+    </message>
+    <message>
+        <source>128 bytes that the board keeps for others.</source>
+        <translation>128 Byte, die das Board für andere aufhebt.</translation>
+    </message>
+    <message>
+        <source>Also from another board</source>
+        <translation>Auch von einem anderen Board</translation>
+    </message>
+    <message>
+        <source>Bytes (hex)</source>
+        <translation>Bytes (hex)</translation>
+    </message>
+    <message>
+        <source>Copies a file of the board&apos;s file system.</source>
+        <translation>Kopiert eine Datei aus dem Dateisystem des Boards.</translation>
+    </message>
+    <message>
+        <source>Copies the board&apos;s memory into a file, byte for byte.</source>
+        <translation>Kopiert den Speicher des Boards Byte für Byte in eine Datei.</translation>
+    </message>
+    <message>
+        <source>Erase a file of the board</source>
+        <translation>Datei des Boards löschen</translation>
+    </message>
+    <message>
+        <source>Everything that the board keeps is replaced</source>
+        <translation>Alles, was das Board aufhebt, wird ersetzt</translation>
+    </message>
+    <message>
+        <source>Find poles and direction</source>
+        <translation>Pole und Drehrichtung finden</translation>
+    </message>
+    <message>
+        <source>Give a signal</source>
+        <translation>Signal geben</translation>
+    </message>
+    <message>
+        <source>Gives a signal at a virtual channel for a time; then it counts as lost.</source>
+        <translation>Gibt eine Zeit lang ein Signal an einem virtuellen Kanal; danach gilt es als verloren.</translation>
+    </message>
+    <message>
+        <source>Hours of work, starts, shocks, currents and temperatures that the board counts.</source>
+        <translation>Betriebsstunden, Starts, Stöße, Ströme und Temperaturen, die das Board zählt.</translation>
+    </message>
+    <message>
+        <source>Load a file into the board</source>
+        <translation>Datei auf das Board laden</translation>
+    </message>
+    <message>
+        <source>Measure magnetic link</source>
+        <translation>Magnetische Bindung messen</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Pin</translation>
+    </message>
+    <message>
+        <source>Profile sets</source>
+        <translation>Profilsätze</translation>
+    </message>
+    <message>
+        <source>Pulses at the servo pins; 0 holds a pin low, -1 frees it.</source>
+        <translation>Pulse an den Servopins; 0 hält einen Pin auf low, -1 gibt ihn frei.</translation>
+    </message>
+    <message>
+        <source>Read signals</source>
+        <translation>Signale lesen</translation>
+    </message>
+    <message>
+        <source>Read statistics</source>
+        <translation>Statistik lesen</translation>
+    </message>
+    <message>
+        <source>Read user data</source>
+        <translation>Benutzerdaten lesen</translation>
+    </message>
+    <message>
+        <source>Replaces the 128 bytes that the board keeps for others.</source>
+        <translation>Ersetzt die 128 Byte, die das Board für andere aufhebt.</translation>
+    </message>
+    <message>
+        <source>Restore whole memory</source>
+        <translation>Ganzen Speicher wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Run script</source>
+        <translation>Skript ausführen</translation>
+    </message>
+    <message>
+        <source>Save a file of the board</source>
+        <translation>Datei des Boards sichern</translation>
+    </message>
+    <message>
+        <source>Select sensor</source>
+        <translation>Sensor wählen</translation>
+    </message>
+    <message>
+        <source>Servo 1 (FC_ROLL)</source>
+        <translation>Servo 1 (FC_ROLL)</translation>
+    </message>
+    <message>
+        <source>Servo 2 (FC_PITCH)</source>
+        <translation>Servo 2 (FC_PITCH)</translation>
+    </message>
+    <message>
+        <source>Servo 3 (RC_PITCH)</source>
+        <translation>Servo 3 (RC_PITCH)</translation>
+    </message>
+    <message>
+        <source>Servo 4 (AUX1)</source>
+        <translation>Servo 4 (AUX1)</translation>
+    </message>
+    <message>
+        <source>Set pin</source>
+        <translation>Pin setzen</translation>
+    </message>
+    <message>
+        <source>Set servo outputs</source>
+        <translation>Servoausgänge setzen</translation>
+    </message>
+    <message>
+        <source>Sets an output pin. A pin that is an input is not set.</source>
+        <translation>Setzt einen Ausgangspin. Ein Pin, der Eingang ist, wird nicht gesetzt.</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>Slot</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>Starts or stops a script that is in the board.</source>
+        <translation>Startet oder beendet ein Skript, das auf dem Board liegt.</translation>
+    </message>
+    <message>
+        <source>Takes a file out of the board&apos;s file system.</source>
+        <translation>Nimmt eine Datei aus dem Dateisystem des Boards.</translation>
+    </message>
+    <message>
+        <source>The board moves each motor to measure how stiffly its magnets hold.</source>
+        <translation>Das Board bewegt jeden Motor und misst, wie fest seine Magnete halten.</translation>
+    </message>
+    <message>
+        <source>The board turns each motor to find its number of poles and its direction.</source>
+        <translation>Das Board dreht jeden Motor und findet seine Polzahl und Drehrichtung.</translation>
+    </message>
+    <message>
+        <source>The camera is balanced and can turn freely</source>
+        <translation>Die Kamera ist ausbalanciert und kann sich frei drehen</translation>
+    </message>
+    <message>
+        <source>What comes in at the inputs that functions are mapped to.</source>
+        <translation>Was an den Eingängen ankommt, denen Funktionen zugeordnet sind.</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Which sensor calibrations and readings are about.</source>
+        <translation>Um welchen Sensor es bei Kalibrierungen und Messwerten geht.</translation>
+    </message>
+    <message>
+        <source>Write user data</source>
+        <translation>Benutzerdaten schreiben</translation>
+    </message>
+    <message>
+        <source>Writes a file into the board&apos;s file system and compares it.</source>
+        <translation>Schreibt eine Datei in das Dateisystem des Boards und vergleicht sie.</translation>
+    </message>
+    <message>
+        <source>backup</source>
+        <translation>Reserve</translation>
+    </message>
+    <message>
+        <source>buzzer</source>
+        <translation>Summer</translation>
+    </message>
+    <message>
+        <source>can-driver</source>
+        <translation>CAN-Treiber</translation>
+    </message>
+    <message>
+        <source>clear</source>
+        <translation>leeren</translation>
+    </message>
+    <message>
+        <source>cogging</source>
+        <translation>Rastmoment</translation>
+    </message>
+    <message>
+        <source>debug</source>
+        <translation>mit Fehlersuche</translation>
+    </message>
+    <message>
+        <source>floating</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>high</translation>
+    </message>
+    <message>
+        <source>imu-calibration</source>
+        <translation>Sensorkalibrierung</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>laden</translation>
+    </message>
+    <message>
+        <source>look-up-table</source>
+        <translation>Wertetabelle</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>low</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>profile-set</source>
+        <translation>Profilsatz</translation>
+    </message>
+    <message>
+        <source>script</source>
+        <translation>Skript</translation>
+    </message>
+    <message>
+        <source>spektrum-power</source>
+        <translation>Spektrum-Strom</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>starten</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>beenden</translation>
+    </message>
+    <message>
+        <source>tuning</source>
+        <translation>Abstimmung</translation>
+    </message>
+    <message>
+        <source>Menu command that is run at start.</source>
+        <translation>Menübefehl, der beim Start ausgeführt wird.</translation>
+    </message>
+    <message>
+        <source>Start-up action %1: with button</source>
+        <translation>Startaktion %1: mit Taste</translation>
+    </message>
+    <message>
+        <source>The action is run only if the menu button is held at start.</source>
+        <translation>Die Aktion läuft nur, wenn beim Start die Menütaste gehalten wird.</translation>
+    </message>
+    <message>
+        <source>Copy the whole memory</source>
+        <translation>Ganzen Speicher kopieren</translation>
+    </message>
+    <message>
+        <source>Stores all five profiles in a slot of the board, loads or clears it.</source>
+        <translation>Speichert alle fünf Profile in einem Platz des Boards, lädt oder leert ihn.</translation>
+    </message>
+    <message>
+        <source>Writes a copy of the memory back and compares it. It is in use after a restart.</source>
+        <translation>Schreibt eine Kopie des Speichers zurück und vergleicht sie. In Gebrauch ist sie nach einem Neustart.</translation>
+    </message>
+    <message>
+        <source>store</source>
+        <translation>speichern</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/simplebgc/device.h"
+#include "protocol/simplebgc/parametertables.h"
 
 namespace simplebgc {
 
@@ -52,7 +53,34 @@ private:
     Result<ActionReply> autoTune(const QVariantMap &arguments);
     Result<ActionReply> stopAutoTune(const QVariantMap &arguments);
     Result<ActionReply> reset(const QVariantMap &arguments);
+    // boardactions.cpp
+    Result<ActionReply> calibratePoles(const QVariantMap &arguments);
+    Result<ActionReply> calibrateMagLink(const QVariantMap &arguments);
+    Result<ActionReply> selectImu(const QVariantMap &arguments);
+    Result<ActionReply> setPin(const QVariantMap &arguments);
+    Result<ActionReply> setServo(const QVariantMap &arguments);
+    Result<ActionReply> readSignals(const QVariantMap &arguments);
+    Result<ActionReply> setChannel(const QVariantMap &arguments);
+    Result<ActionReply> readStatistics(const QVariantMap &arguments);
+    Result<ActionReply> profileSet(const QVariantMap &arguments);
+    Result<ActionReply> readExternal(const QVariantMap &arguments);
+    Result<ActionReply> writeExternal(const QVariantMap &arguments);
+    Result<ActionReply> saveMemory(const QVariantMap &arguments);
+    Result<ActionReply> restoreMemory(const QVariantMap &arguments);
+    Result<ActionReply> saveFile(const QVariantMap &arguments);
+    Result<ActionReply> loadFile(const QVariantMap &arguments);
+    Result<ActionReply> eraseFile(const QVariantMap &arguments);
+    Result<ActionReply> runScript(const QVariantMap &arguments);
     Result<ActionReply> useDefaults(const QVariantMap &arguments);
+
+    /// Runs a calibration that finds parameters of this block, and tells them; "%1" in the keys is the axis.
+    Result<ActionReply> calibrateMotors(CommandId id, Block block, std::initializer_list<const char *> keys);
+    /// The first bytes of the board's memory. Errors: BadReply, those of the link.
+    Result<QByteArray> readMemory(int size);
+    /// A file of the board. Errors: BoardError with the board's code, BadReply, those of the link.
+    Result<QByteArray> readFile(int type, int index);
+    Result<void> putFile(int type, int index, const QByteArray &content);
+    static Error fileRefusal(int code);
 
     /// The angles, once the camera is where its target is; it is steered until then.
     /// Errors: NotSeen, those of the link.

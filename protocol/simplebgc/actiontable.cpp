@@ -122,6 +122,46 @@ constexpr EntryEffect kCalibrationEntries[] = {
     {.value = 4, .risk = ActionRisk::Writes, .letsGo = true, .argument = "action"},
     {.value = 5, .risk = ActionRisk::Writes, .letsGo = true, .argument = "action"},
     {.value = 1, .risk = ActionRisk::Writes, .letsGo = true, .argument = "six"}};
+constexpr Choice kImuUsed[] = {{1, "main"}, {2, "frame"}};
+constexpr Choice kPinNames[] = {{1, "RC_ROLL"}, {2, "RC_PITCH"}, {3, "FC_ROLL"}, {4, "FC_PITCH"}, {5, "RC_YAW"}, {16, "AUX1"},
+                                {17, "AUX2"}, {18, "AUX3"}, {32, "buzzer"}, {33, "spektrum-power"}};
+constexpr Choice kPinStates[] = {{0, "low"}, {1, "high"}, {2, "floating"}};
+constexpr Choice kSetSlots[] = {{1, "1"}, {2, "2"}, {3, "3"}, {4, "4"}, {5, "5"}, {6, "backup"}};
+constexpr Choice kSetActions[] = {{1, "store"}, {2, "clear"}, {3, "load"}};
+constexpr Choice kFileTypes[] = {{1, "script"}, {3, "imu-calibration"}, {4, "cogging"}, {5, "look-up-table"}, {6, "profile-set"},
+                                 {7, "parameters"}, {8, "tuning"}, {10, "can-driver"}};
+constexpr Choice kScriptModes[] = {{0, "stop"}, {1, "start"}, {2, "debug"}};
+constexpr ArgumentSpec kSelectArguments[] = {
+    {.key = "imu", .label = "Sensor", .kind = ArgumentKind::Choice, .choices = kImuUsed}};
+constexpr ArgumentSpec kPinArguments[] = {
+    {.key = "pin", .label = "Pin", .kind = ArgumentKind::Choice, .choices = kPinNames},
+    {.key = "state", .label = "State", .kind = ArgumentKind::Choice, .choices = kPinStates}};
+constexpr ArgumentSpec kServoArguments[] = {
+    {.key = "servo1", .label = "Servo 1 (FC_ROLL)", .kind = ArgumentKind::Integer, .min = -1, .max = 20000, .unit = "µs", .defaultText = "-1"},
+    {.key = "servo2", .label = "Servo 2 (FC_PITCH)", .kind = ArgumentKind::Integer, .min = -1, .max = 20000, .unit = "µs", .defaultText = "-1"},
+    {.key = "servo3", .label = "Servo 3 (RC_PITCH)", .kind = ArgumentKind::Integer, .min = -1, .max = 20000, .unit = "µs", .defaultText = "-1"},
+    {.key = "servo4", .label = "Servo 4 (AUX1)", .kind = ArgumentKind::Integer, .min = -1, .max = 20000, .unit = "µs", .defaultText = "-1"}};
+constexpr ArgumentSpec kChannelArguments[] = {
+    {.key = "channel", .label = "Channel", .kind = ArgumentKind::Integer, .min = 1, .max = 31},
+    {.key = "value", .label = "Signal", .kind = ArgumentKind::Real, .min = -100, .max = 100, .unit = "%"},
+    {.key = "seconds", .label = "Duration", .kind = ArgumentKind::Real, .min = 0.1, .max = 600, .unit = "s", .defaultText = "1"}};
+constexpr ArgumentSpec kSetArguments[] = {
+    {.key = "action", .label = "What to do", .kind = ArgumentKind::Choice, .choices = kSetActions},
+    {.key = "slot", .label = "Slot", .kind = ArgumentKind::Choice, .choices = kSetSlots}};
+constexpr EntryEffect kSetEntries[] = {
+    {.value = 3, .risk = ActionRisk::Destroys, .memory = MemoryEffect::Reloads, .letsGo = true, .argument = "action"}};
+constexpr ArgumentSpec kDataArguments[] = {{.key = "data", .label = "Bytes (hex)", .kind = ArgumentKind::Text}};
+constexpr ArgumentSpec kPathArguments[] = {{.key = "file", .label = "File", .kind = ArgumentKind::Text}};
+constexpr ArgumentSpec kRestoreArguments[] = {
+    {.key = "file", .label = "File", .kind = ArgumentKind::Text},
+    {.key = "other", .label = "Also from another board", .kind = ArgumentKind::Toggle, .defaultText = "off"}};
+constexpr ArgumentSpec kFileArguments[] = {
+    {.key = "type", .label = "Kind", .kind = ArgumentKind::Choice, .choices = kFileTypes},
+    {.key = "number", .label = "Number", .kind = ArgumentKind::Integer, .min = 0, .max = 255},
+    {.key = "file", .label = "File", .kind = ArgumentKind::Text}};
+constexpr ArgumentSpec kScriptArguments[] = {
+    {.key = "mode", .label = "What to do", .kind = ArgumentKind::Choice, .choices = kScriptModes, .defaultText = "start"},
+    {.key = "slot", .label = "Slot", .kind = ArgumentKind::Integer, .min = 1, .max = 10, .defaultText = "1"}};
 constexpr ArgumentSpec kBatteryArguments[] = {
     {.key = "voltage", .label = "Measured voltage", .kind = ArgumentKind::Real, .min = 3, .max = 60, .unit = "V"}};
 constexpr ArgumentSpec kAutoTuneArguments[] = {
@@ -144,6 +184,11 @@ constexpr ArgumentSpec kDefaultsArguments[] = {
 constexpr ReplyUnit kAngleUnits[] = {{"speed", "°/s"}, {"imu", "°"}, {"target", "°"}, {"motor", "°"}};
 constexpr ReplyUnit kStillnessUnits[] = {{"gyro", "°/s"}, {"acc", "g"}};
 constexpr ReplyUnit kBatteryUnits[] = {{"voltage", "V"}};
+constexpr ReplyUnit kSignalUnits[] = {{"map", "%"}};
+constexpr ReplyUnit kStatisticsUnits[] = {
+    {"shock", "g"}, {"work", "s"}, {"max", "mA"}, {"temperature1", "°C"}, {"temperature2", "°C"}, {"temperature3", "°C"}, {"temperature4", "°C"},
+    {"time", "s"}, {"energy", "Wh"}, {"average", "A"}};
+constexpr ReplyUnit kByteUnits[] = {{"bytes", "bytes"}, {"written", "bytes"}};
 constexpr ReplyUnit kResetUnits[] = {{"restarts_in", "ms"}};
 constexpr ReplyUnit kTuningUnits[] = {{"error", "°"}, {"lpf", "Hz"}};
 
@@ -194,6 +239,46 @@ constexpr ActionSpec kActions[] = {
      .memory = MemoryEffect::ChangesInUse, .units = kTuningUnits, .endedBy = "autotune.stop"},
     {.key = "autotune.stop", .label = "Stop auto-tune",
      .help = "Ends a search of gains that may still be going on, and proves it.", .group = "Calibration"},
+    {.key = "calibrate.poles", .label = "Find poles and direction",
+     .help = "The board turns each motor to find its number of poles and its direction.", .group = "Calibration",
+     .risk = ActionRisk::Writes, .isProcedure = true,
+     .confirm = "The camera is balanced and can turn freely"},
+    {.key = "calibrate.magnetic_link", .label = "Measure magnetic link",
+     .help = "The board moves each motor to measure how stiffly its magnets hold.", .group = "Calibration",
+     .risk = ActionRisk::Writes, .isProcedure = true, .since = 2560,
+     .confirm = "The camera is balanced and can turn freely"},
+    {.key = "imu.select", .label = "Select sensor", .help = "Which sensor calibrations and readings are about.", .group = "Board",
+     .arguments = kSelectArguments},
+    {.key = "pin", .label = "Set pin", .help = "Sets an output pin. A pin that is an input is not set.", .group = "Signals",
+     .risk = ActionRisk::Moves, .arguments = kPinArguments, .isShown = false},
+    {.key = "servo", .label = "Set servo outputs", .help = "Pulses at the servo pins; 0 holds a pin low, -1 frees it.",
+     .group = "Signals", .risk = ActionRisk::Moves, .arguments = kServoArguments, .answered = false},
+    {.key = "signals", .label = "Read signals", .help = "What comes in at the inputs that functions are mapped to.",
+     .group = "Signals", .since = 2600, .units = kSignalUnits},
+    {.key = "channel", .label = "Give a signal", .help = "Gives a signal at a virtual channel for a time; then it counts as lost.",
+     .group = "Signals", .risk = ActionRisk::Moves, .arguments = kChannelArguments, .isProcedure = true,
+     .memory = MemoryEffect::ChangesInUse, .answered = false},
+    {.key = "statistics", .label = "Read statistics", .help = "Hours of work, starts, shocks, currents and temperatures that the board counts.",
+     .group = "Read", .since = 2600, .units = kStatisticsUnits},
+    {.key = "profile_set", .label = "Profile sets", .help = "Stores all five profiles in a slot of the board, loads or clears it.",
+     .group = "Profiles", .risk = ActionRisk::Destroys, .arguments = kSetArguments, .since = 2620, .entries = kSetEntries},
+    {.key = "external.read", .label = "Read user data", .help = "128 bytes that the board keeps for others.", .group = "Memory"},
+    {.key = "external.write", .label = "Write user data", .help = "Replaces the 128 bytes that the board keeps for others.",
+     .group = "Memory", .risk = ActionRisk::Writes, .arguments = kDataArguments},
+    {.key = "memory.save", .label = "Copy the whole memory", .help = "Copies the board's memory into a file, byte for byte.",
+     .group = "Memory", .arguments = kPathArguments, .isProcedure = true, .units = kByteUnits},
+    {.key = "memory.restore", .label = "Restore whole memory",
+     .help = "Writes a copy of the memory back and compares it. It is in use after a restart.", .group = "Memory",
+     .risk = ActionRisk::Destroys, .arguments = kRestoreArguments, .isProcedure = true, .memory = MemoryEffect::Erases,
+     .confirm = "Everything that the board keeps is replaced", .units = kByteUnits},
+    {.key = "file.save", .label = "Save a file of the board", .help = "Copies a file of the board's file system.", .group = "Memory",
+     .arguments = kFileArguments, .isProcedure = true, .units = kByteUnits},
+    {.key = "file.load", .label = "Load a file into the board", .help = "Writes a file into the board's file system and compares it.",
+     .group = "Memory", .risk = ActionRisk::Destroys, .arguments = kFileArguments, .isProcedure = true, .units = kByteUnits},
+    {.key = "file.erase", .label = "Erase a file of the board", .help = "Takes a file out of the board's file system.",
+     .group = "Memory", .risk = ActionRisk::Destroys, .arguments = std::span(kFileArguments).first(2)},
+    {.key = "script", .label = "Run script", .help = "Starts or stops a script that is in the board.", .group = "Motion",
+     .risk = ActionRisk::Moves, .arguments = kScriptArguments, .isShown = false},
     {.key = "reset", .label = "Restart board", .help = "Restarts the controller; motors go off, and may start by themselves afterwards.",
      .group = "Board", .risk = ActionRisk::Moves, .arguments = kResetArguments, .units = kResetUnits,
      .isShown = false, .letsGo = true},

@@ -3,6 +3,7 @@
 // Every command of the serial API as a table: document "Command ID definitions", errata 2 and 3.
 #pragma once
 
+#include "protocol/base/bytes.h"
 #include "protocol/base/result.h"
 #include "protocol/configuration/parameterspec.h"
 #include "protocol/device/actionspec.h"

@@ -159,6 +159,8 @@ void TestSimulatedFamily::valuesOutOfRangeAreRefused_data()
             << QString::fromLatin1(told);
     };
     row("simplebgc", "firmware", "1.20", "2.59, 2.70b4 or 2.73.8");
+    row("simplebgc", "firmware", "2.80", "2.40 to 2.74.9");
+    row("simplebgc", "firmware", "2.59b10", "2.40 to 2.74.9");
     row("simplebgc", "firmware", "new", "2.59, 2.70b4 or 2.73.8");
     row("storm32", "firmware", "0.50", "0.79, 0.90 or 0.96");
     row("simplebgc", "board", "200", "from 10 to 99");

@@ -38,6 +38,8 @@ SimulatedBoard::SimulatedBoard(const SimulatorOptions &options)
     , m_stabilizer(options.seed)
     , m_names({u"Handheld"_s, u"Studio"_s, u"Vehicle"_s, QString(), QString()})
 {
+    m_restOfMemory.fill('\xFF', kMemorySize);
+    m_external.fill('\0', 128);
     for (int profile = 0; profile < kProfileCount; ++profile)
         loadDefaults(profile);
     // Different profiles, like those of a board in use.
@@ -95,6 +97,9 @@ void SimulatedBoard::boot()
     m_stabilizer.resetEstimate();
     m_control = {};
     m_signals = {};
+    m_script = {};
+    m_motorCalibration = {};
+    ++m_starts;
     for (const Axis axis : kAxes)
         m_stabilizer.setTarget(axis, 0.0);
     m_stabilizer.setMotorsOn(true);
@@ -225,6 +230,8 @@ void SimulatedBoard::cycle()
     updateFaults();
     updateSlots();
     updateTargets();
+    updateMotorCalibration();
+    updateScript();
     updateAutoPid();
     m_stabilizer.step();
     updateCalibration();
@@ -268,6 +275,7 @@ void SimulatedBoard::updateFaults()
     const double volts
         = (faults.battery > 0 ? faults.battery : kNominalVoltage) - 0.04 * m_stabilizer.current();
     m_stabilizer.setVoltage(volts);
+    m_mostCurrent = std::max(m_mostCurrent, m_stabilizer.current());
     const double motorsOff = value(u"battery.motors_off"_s);
     if (motorsOff > 0 && volts < motorsOff)
         m_stabilizer.setMotorsOn(false);

@@ -25,6 +25,9 @@ enum Refusal {
     kNotSupported = 9
 };
 
+inline constexpr int kMemorySize = 32768;
+inline constexpr int kScriptFile = 1;  ///< type of a file (errata 3.21)
+inline constexpr int kScriptSlots = 5;
 inline constexpr double kResetNotice = 1.0;  ///< document CMD_RESET: 1000 ms between notice and restart
 
 /// A SimpleBGC 32-bit controller on a simulated gimbal: memory per profile, volatile variables, streams,
@@ -89,6 +92,18 @@ private:
     [[nodiscard]] QByteArray slotState(const Frame &frame) const;
     [[nodiscard]] QByteArray rcInputs(const Frame &frame) const;
     void runMenu(int action, int version);
+    // the rest of its memory (memory.cpp)
+    bool handleMemory(const Frame &frame);
+    [[nodiscard]] QByteArray memory() const;
+    void setMemory(const QByteArray &bytes);
+    void profileSet(const Frame &frame);
+    void sendFile(const Frame &frame);
+    void takeFile(const Frame &frame);
+    void updateScript();
+    // motors and pins (mounting.cpp)
+    bool handleMotors(const Frame &frame);
+    void startMotorCalibration(const Frame &frame);
+    void updateMotorCalibration();
     void updateCalibration();
     void sendEnd(CommandId command, int version, bool fails);
     void updateAutoPid();
@@ -194,6 +209,32 @@ private:
         bool isAny = false;
     };
     Signals m_signals;
+    // What else it keeps.
+    QByteArray m_restOfMemory;
+    QByteArray m_external;
+    QMap<int, QByteArray> m_files;  // by type and, in the high byte, number
+    QByteArray m_arriving;  // of a file that is written
+    std::array<std::vector<Block>, 6> m_sets;  // the last one is the backup
+    QMap<int, int> m_pins;
+    struct Script
+    {
+        int slot = -1;
+        bool isDebugged = false;
+        double next = 0;
+        int line = 0;
+        int version = 1;
+    };
+    Script m_script;
+    struct MotorCalibration
+    {
+        CommandId command{};
+        double until = -1;
+        int version = 1;
+        bool motorsWereOn = false;
+    };
+    MotorCalibration m_motorCalibration;
+    int m_starts = 0;
+    double m_mostCurrent = 0;
     std::array<double, kAxisCount> m_moveSpeed{};
     bool m_hasFrameSensor = false;  // according to the parameters
     std::array<double, kAxisCount> m_targetSpeed{};  // at which CONTROL turns the targets now

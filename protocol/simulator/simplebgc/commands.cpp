@@ -77,7 +77,8 @@ void SimulatedBoard::handle(const Frame &frame)
     m_lastVersion = frame.version;
     if (frame.id == m_options.faults.deaf)
         return;
-    if (handleRead(frame) || handleWrite(frame) || handleAction(frame))
+    if (handleRead(frame) || handleWrite(frame) || handleAction(frame) || handleMemory(frame)
+        || handleMotors(frame))
         return;
     refuse(frame, kUnknownCommand);
 }
@@ -103,8 +104,16 @@ bool SimulatedBoard::handleRead(const Frame &frame)
             info.deviceId.fill(char(filler));
             info.mcuId.fill(char(filler));
         }
-        info.eepromSize = 32768;
-        reply(frame, CommandId::BoardInfo3, info.encode());
+        info.eepromSize = kMemorySize;
+        QByteArray told = info.encode();
+        for (int i = 0; i < kScriptSlots; ++i) {
+            const auto size = quint16(m_files.value(kScriptFile + (i << 8)).size());
+            told[25 + 2 * i] = char(size & 0xFF);
+            told[26 + 2 * i] = char(size >> 8);
+        }
+        for (std::size_t i = 0; i < m_sets.size(); ++i)
+            told[35] = char(told[35] | (m_sets[i].empty() ? 0 : 1 << i));
+        reply(frame, CommandId::BoardInfo3, told);
         return true;
     }
     case CommandId::ReadParams:

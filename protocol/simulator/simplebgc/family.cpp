@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/simulator/simplebgc/family.h"
 
+#include "protocol/simplebgc/device.h"
 #include "protocol/simulator/simplebgc/board.h"
 
 using namespace Qt::StringLiterals;
@@ -17,10 +18,14 @@ Result<int> parseFirmware(const QString &text)
     bool ok = false;
     const int number
         = parts.value(0).toInt(&ok) * 1000 + parts.value(1).toInt() * 10 + parts.value(2).toInt();
-    if (ok && parts.size() >= 2 && parts.value(1).size() == 2 && number >= 2400 && number <= 9999)
+    const bool isVersion = ok && parts.size() >= 2 && parts.value(1).size() == 2 && parts.value(2).size() <= 1
+        && parts.size() <= 3;
+    // What others do, no document tells.
+    if (isVersion && number >= Device::kOldestFirmware && number <= Device::kNewestFirmware)
         return number;
     return failure(ErrorCode::InvalidArgument,
-                   u"firmware needs a version like 2.59, 2.70b4 or 2.73.8, not '%1'"_s.arg(text));
+                   u"firmware needs a version from 2.40 to 2.74.9, like 2.43b9, 2.59, 2.70b4 or 2.73.8, not "
+                   "'%1'"_s.arg(text));
 }
 
 Result<void> readBoard(SimulatorSetup &setup, const QString &text)

@@ -1,0 +1,510 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Actions on the rest of the board: motors and sensors as they are mounted, pins and signals, profile sets,
+// and its memory as a whole (errata 3.19 to 3.23).
+#include "protocol/base/filefault.h"
+#include "protocol/base/hexbytes.h"
+#include "protocol/session/channel.h"
+#include "protocol/simplebgc/actions.h"
+#include "protocol/simplebgc/memoryimage.h"
+#include "protocol/simplebgc/messages.h"
+#include "protocol/simplebgc/parametertables.h"
+#include "protocol/simplebgc/telemetrytables.h"
+#include "protocol/simplebgc/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace simplebgc {
+
+namespace {
+
+constexpr auto kMotorCalibration = 60s;  // errata 7: poles take tens of seconds
+constexpr auto kReceptionHeard = 2s;  // a confirmation that early is that of reception
+constexpr auto kEndHeard = 12s;  // after reception alone, the end may never be confirmed
+constexpr auto kChannelPeriod = 50ms;
+constexpr auto kSwitched = 2s;
+constexpr int kUsedImuOffset = 58;  // of REALTIME_DATA_3
+constexpr int kUndefinedSignal = -10000;
+constexpr int kFineUndefined = -32768;
+constexpr double kFineFull = 16384;
+constexpr int kVirtualChannels = 31;  // 32 of them cannot be a source (errata 4.3)
+constexpr int kMemoryStep = 192;  // bytes: the largest piece (errata 3.21)
+constexpr int kMemoryUnit = 64;
+constexpr int kFilePage = 64;
+constexpr int kFilePart = 192;
+constexpr qint64 kLargestFile = 65535;
+constexpr qint64 kLargestImage = 4 * 1024 * 1024;
+constexpr int kExternalSize = 128;
+
+}  // namespace
+
+// What a calibration of the motors finds is in the parameters; the board's confirmations tell little, so they
+// are compared.
+Result<ActionReply> Actions::calibrateMotors(CommandId id, Block block,
+                                             std::initializer_list<const char *> keys)
+{
+    if (const auto sees = needSensor(); !sees)
+        return tl::unexpected(sees.error());
+    const auto active = m_device.activeProfile(m_channel);
+    if (!active)
+        return tl::unexpected(active.error());
+    const auto read = [&]() -> Result<QMap<QString, double>> {
+        const auto bytes = m_device.readBlock(m_channel, {*active, block});
+        if (!bytes)
+            return tl::unexpected(bytes.error());
+        QMap<QString, double> values;
+        for (const char *key : keys) {
+            for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+                const ParameterSpec *spec
+                    = m_device.m_parameters->find(QString::fromLatin1(key).arg(axisName(axis)));
+                if (const auto raw = spec ? spec->read(*bytes) : std::nullopt)
+                    values.insert(spec->key, spec->toDisplay(*raw));
+            }
+        }
+        return values;
+    };
+    const auto before = read();
+    if (!before)
+        return tl::unexpected(before.error());
+    const auto heard = m_channel.listen(
+        [id](const FrameView &frame) { return isConfirmOf(frame, id) || refusalOf(frame, number(id)); });
+    m_channel.expectSilence(kMotorCalibration);
+    const TimePoint started = m_channel.now();
+    Request request = silentRequest(id, {}, Device::kVersion);
+    if (const auto sent = m_channel.transact(request); !sent)
+        return tl::unexpected(sent.error());
+    Progress progress;
+    progress.step = u"calibrate"_s;
+    progress.subject = commandName(number(id));
+    progress.total = 100;
+    bool isHeard = false;
+    bool isOver = false;
+    while (!isOver && m_channel.now() - started < (isHeard ? kEndHeard : kMotorCalibration)) {
+        const auto frame = heard->next(200ms);
+        if (!frame && frame.error().code != ErrorCode::Timeout)
+            return tl::unexpected(frame.error());
+        if (frame) {
+            const FrameView view{frame->id, asBytes(frame->payload), frame->version, {}};
+            if (const auto refusal = refusalOf(view, number(id)))
+                return tl::unexpected(*refusal);
+            isOver = m_channel.now() - started > kReceptionHeard;
+            isHeard = true;
+        }
+        progress.done = std::min(95, int(seconds(m_channel.now() - started) / seconds(kEndHeard) * 95));
+        m_channel.progress(progress);
+    }
+    if (!isHeard)
+        return failure(ErrorCode::Timeout, commandName(number(id)));
+    const auto after = read();
+    if (!after)
+        return tl::unexpected(after.error());
+    ActionReply reply;
+    for (auto it = after->begin(); it != after->end(); ++it) {
+        reply.insert(it.key(), it.value());
+        if (it.value() != before->value(it.key()))
+            reply.insert(it.key() + u".before"_s, before->value(it.key()));
+    }
+    reply.insert(u"confirmed"_s, isOver);
+    return reply;
+}
+
+Result<ActionReply> Actions::calibratePoles(const QVariantMap &)
+{
+    return calibrateMotors(CommandId::CalibPoles, Params3, {"motor.%1.poles", "motor.%1.invert"});
+}
+
+Result<ActionReply> Actions::calibrateMagLink(const QVariantMap &)
+{
+    return calibrateMotors(CommandId::CalibMotorMagLink, ParamsExt2, {"motor.%1.magnetic_link"});
+}
+
+Result<ActionReply> Actions::selectImu(const QVariantMap &arguments)
+{
+    const int wanted = arguments.value(u"imu"_s).toInt();
+    const auto reply = confirm(CommandId::SelectImu3, ByteWriter().u8(wanted).take());
+    if (!reply && reply.error().code != ErrorCode::Timeout)
+        return reply;
+    // A board without that sensor ignores it (document SELECT_IMU_3).
+    const auto isUsed = holdsWithin(
+        m_channel, Device::statusRequest(), kSwitched, [wanted](const Frame &status) {
+            return status.payload.size() > kUsedImuOffset && quint8(status.payload[kUsedImuOffset]) == wanted;
+        });
+    if (!isUsed)
+        return tl::unexpected(isUsed.error());
+    if (!*isUsed)
+        return failure(ErrorCode::NoEffect,
+                       wanted == 2 ? u"the board has no frame sensor that works"_s
+                                   : u"the board goes on with its frame sensor"_s);
+    return ActionReply{};
+}
+
+Result<ActionReply> Actions::setPin(const QVariantMap &arguments)
+{
+    return confirm(
+        CommandId::TriggerPin,
+        ByteWriter().u8(arguments.value(u"pin"_s).toInt()).u8(arguments.value(u"state"_s).toInt()).take());
+}
+
+Result<ActionReply> Actions::setServo(const QVariantMap &arguments)
+{
+    ByteWriter writer;
+    for (int i = 1; i <= 4; ++i)
+        writer.i16(arguments.value(u"servo%1"_s.arg(i)).toInt());
+    const auto sent
+        = m_channel.transact(silentRequest(CommandId::ServoOut, writer.zeros(8).take(), Device::kVersion));
+    return sent ? Result<ActionReply>(ActionReply{}) : tl::unexpected(sent.error());
+}
+
+// What the board sees at the inputs that its functions are mapped to.
+Result<ActionReply> Actions::readSignals(const QVariantMap &)
+{
+    const auto active = m_device.activeProfile(m_channel);
+    const auto bytes = active ? m_device.readBlock(m_channel, {*active, Params3})
+                              : Result<QByteArray>(tl::unexpected(active.error()));
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    constexpr std::array<const char *, 6> kInputs{"rc.map.roll", "rc.map.pitch", "rc.map.yaw",
+                                                  "rc.map.cmd",  "fc.map.roll",  "fc.map.pitch"};
+    QStringList names;
+    ByteWriter writer;
+    writer.u16(0);
+    for (const char *input : kInputs) {
+        const ParameterSpec *spec = m_device.m_parameters->find(QLatin1String(input));
+        const int source = spec ? int(spec->read(*bytes).value_or(0)) : 0;
+        if (source == 0)
+            continue;
+        names.append(QLatin1String(input));
+        writer.u8(source);
+    }
+    if (names.isEmpty())
+        return failure(ErrorCode::ConditionUnmet, u"no function of this profile has a signal"_s);
+    const auto frame
+        = m_channel.transact(replyRequest(CommandId::ReadRcInputs, writer.take(), CommandId::ReadRcInputs,
+                                          2 * int(names.size()), Device::kVersion));
+    if (!frame)
+        return tl::unexpected(frame.error());
+    ByteReader reader(frame->payload);
+    ActionReply reply;
+    for (const QString &name : std::as_const(names)) {
+        const int raw = reader.i16();
+        reply.insert(name,
+                     raw == kFineUndefined ? QVariant(u"no signal"_s) : QVariant(100.0 * raw / kFineFull));
+    }
+    return reader.ok() ? Result<ActionReply>(reply) : failure(ErrorCode::BadReply, u"READ_RC_INPUTS"_s);
+}
+
+// Given again and again, as a stick is; at the end nobody gives it any more, which the board treats as a
+// signal that is lost.
+Result<ActionReply> Actions::setChannel(const QVariantMap &arguments)
+{
+    const int channel = arguments.value(u"channel"_s).toInt();
+    const double value = arguments.value(u"value"_s).toDouble();
+    const TimePoint end = m_channel.now() + durationFromSeconds(arguments.value(u"seconds"_s).toDouble());
+    const auto give = [&](int raw) {
+        ByteWriter writer;
+        for (int i = 1; i <= kVirtualChannels; ++i)
+            writer.i16(i == channel ? raw : kUndefinedSignal);
+        return m_channel.transact(
+            silentRequest(CommandId::ApiVirtChControl, writer.take(), Device::kVersion));
+    };
+    Result<void> slept;
+    while (slept && m_channel.now() < end) {
+        if (const auto sent = give(int(std::lround(5 * value))); !sent)
+            return tl::unexpected(sent.error());
+        slept = m_channel.sleep(kChannelPeriod);
+    }
+    const auto released = give(kUndefinedSignal);
+    if (!slept)
+        return tl::unexpected(slept.error());
+    return released ? Result<ActionReply>(ActionReply{}) : tl::unexpected(released.error());
+}
+
+Result<ActionReply> Actions::readStatistics(const QVariantMap &)
+{
+    const auto frame = m_channel.transact(
+        replyRequest(CommandId::ReadStateVars, {}, CommandId::ReadStateVars, 192, Device::kVersion));
+    if (!frame)
+        return tl::unexpected(frame.error());
+    ActionReply reply;
+    for (const FieldValue &value :
+         decodeFields(*findMessage(number(CommandId::ReadStateVars))->fromBoard, asBytes(frame->payload)))
+        reply.insert(value.name, value.number);
+    return reply;
+}
+
+Result<ActionReply> Actions::profileSet(const QVariantMap &arguments)
+{
+    const int slot = arguments.value(u"slot"_s).toInt();
+    const int action = arguments.value(u"action"_s).toInt();
+    constexpr int kSave = 1;
+    constexpr int kClear = 2;
+    const auto reply = confirm(CommandId::ProfileSet, ByteWriter().u8(slot).u8(action).zeros(8).take());
+    if (!reply)
+        return reply;
+    // The board tells which slots are in use (errata 3.2).
+    const auto info = m_channel.transact(
+        replyRequest(CommandId::BoardInfo3, {}, CommandId::BoardInfo3, 69, Device::kVersion));
+    if (!info)
+        return tl::unexpected(info.error());
+    ByteReader reader(info->payload);
+    reader.skip(35);
+    const unsigned used = reader.u8();
+    const bool isUsed = used >> (slot - 1) & 1U;
+    if (reader.ok() && ((action == kSave && !isUsed) || (action == kClear && isUsed)))
+        return failure(ErrorCode::NoEffect,
+                       u"the board tells that the slot is %1"_s.arg(isUsed ? u"still in use"_s : u"empty"_s));
+    return ActionReply{};
+}
+
+Result<ActionReply> Actions::readExternal(const QVariantMap &)
+{
+    const auto frame = m_channel.transact(replyRequest(
+        CommandId::ReadExternalData, {}, CommandId::ReadExternalData, kExternalSize, Device::kVersion));
+    if (!frame)
+        return tl::unexpected(frame.error());
+    return ActionReply{{u"data"_s, QString::fromLatin1(frame->payload.toHex(' '))}};
+}
+
+Result<ActionReply> Actions::writeExternal(const QVariantMap &arguments)
+{
+    const auto bytes = bytesFromHex(arguments.value(u"data"_s).toString());
+    if (!bytes || bytes->size() > kExternalSize)
+        return failure(ErrorCode::InvalidArgument, u"data needs up to %1 bytes in hex"_s.arg(kExternalSize));
+    const QByteArray wanted = bytes->leftJustified(kExternalSize, '\0');
+    if (const auto done = confirm(CommandId::WriteExternalData, wanted); !done)
+        return done;
+    const auto back = m_channel.transact(replyRequest(
+        CommandId::ReadExternalData, {}, CommandId::ReadExternalData, kExternalSize, Device::kVersion));
+    if (!back)
+        return tl::unexpected(back.error());
+    return back->payload == wanted ? Result<ActionReply>(ActionReply{})
+                                   : failure(ErrorCode::NoEffect, u"the board holds other data"_s);
+}
+
+// --- the whole memory ---
+
+Result<QByteArray> Actions::readMemory(int size)
+{
+    Progress progress;
+    progress.step = u"read-memory"_s;
+    progress.total = size;
+    QByteArray image;
+    while (image.size() < size) {
+        const auto address = quint32(image.size());
+        const int part = std::min(kMemoryStep, size - int(image.size()));
+        const auto frame = m_channel.transact(
+            replyRequest(CommandId::EepromRead, ByteWriter().u32(address).u16(part).take(),
+                         CommandId::EepromRead, 4 + part, Device::kVersion,
+                         [address](Bytes payload) { return ByteReader(payload).u32() == address; }));
+        if (!frame)
+            return tl::unexpected(frame.error());
+        if (frame->payload.size() != 4 + part)
+            return failure(ErrorCode::BadReply, u"EEPROM_READ at %1"_s.arg(address));
+        image += frame->payload.mid(4);
+        progress.done = int(image.size());
+        m_channel.progress(progress);
+        if (m_channel.cancelled())
+            return failure(ErrorCode::Cancelled);
+    }
+    return image;
+}
+
+Result<ActionReply> Actions::saveMemory(const QVariantMap &arguments)
+{
+    const int size = m_device.m_identity.extra.value(u"eeprom_size"_s).toInt();
+    if (size <= 0 || size > kLargestImage || size % kMemoryUnit != 0)
+        return failure(ErrorCode::Unsupported, u"the board does not tell the size of its memory"_s);
+    const QString path = arguments.value(u"file"_s).toString();
+    if (const auto target = checkTarget(path, FileKind::Other); !target)
+        return tl::unexpected(target.error());
+    const auto image = readMemory(size);
+    if (!image)
+        return tl::unexpected(image.error());
+    const MemoryImage file{m_device.m_identity.serial, m_device.m_identity.model,
+                           m_device.m_identity.firmware, *image};
+    if (const auto written = writeWhole(path, file.encode()); !written)
+        return tl::unexpected(written.error());
+    return ActionReply{{u"bytes"_s, size}};
+}
+
+// Only what differs is written, so what was broken off goes on where it was.
+Result<ActionReply> Actions::restoreMemory(const QVariantMap &arguments)
+{
+    const QString path = arguments.value(u"file"_s).toString();
+    const auto file = readWhole(path, FileKind::Other, kLargestImage + 4096);
+    if (!file)
+        return tl::unexpected(file.error());
+    const auto image = MemoryImage::decode(*file);
+    if (!image)
+        return tl::unexpected(inFile(image.error(), path));
+    // Its calibrations and its licence are in it.
+    if (image->serial != m_device.m_identity.serial && !arguments.value(u"other"_s).toBool())
+        return failure(ErrorCode::ConditionUnmet,
+                       u"this is the memory of another board (%1, firmware %2), with its calibrations and "
+                       "its licence; other=on writes it all the same"_s.arg(image->serial, image->firmware));
+    if (image->firmware != m_device.m_identity.firmware)
+        return failure(ErrorCode::ConditionUnmet,
+                       u"it was read from firmware %1, and nobody tells where %2 keeps what"_s.arg(
+                           image->firmware, m_device.m_identity.firmware));
+    const auto now = readMemory(int(image->bytes.size()));
+    if (!now)
+        return tl::unexpected(now.error());
+    Progress progress;
+    progress.step = u"write-memory"_s;
+    progress.total = int(image->bytes.size());
+    int written = 0;
+    for (int at = 0; at < int(image->bytes.size()); at += kMemoryUnit) {
+        const QByteArray part = image->bytes.mid(at, kMemoryUnit);
+        progress.done = at;
+        m_channel.progress(progress);
+        if (part == now->mid(at, kMemoryUnit))
+            continue;
+        Request request = confirmRequest(CommandId::EepromWrite, ByteWriter().u32(quint32(at)).take() + part,
+                                         Device::kVersion);
+        request.idempotent = true;
+        request.retries = 2;
+        request.timeout = 1500ms;
+        const auto done = m_channel.transact(request);
+        if (!done) {
+            Error error = done.error();
+            addDetail(error.detail,
+                      u"%1 bytes were written before; the same again goes on from there"_s.arg(written));
+            return tl::unexpected(error);
+        }
+        written += int(part.size());
+    }
+    const auto back = readMemory(int(image->bytes.size()));
+    if (!back)
+        return tl::unexpected(back.error());
+    if (*back != image->bytes) {
+        const auto wrong = std::mismatch(back->begin(), back->end(), image->bytes.begin()).first;
+        return failure(
+            ErrorCode::NoEffect,
+            u"from address %1 on the board holds other bytes than were written"_s.arg(wrong - back->begin()));
+    }
+    return ActionReply{{u"written"_s, written}, {u"restart"_s, u"needed"_s}};
+}
+
+// --- files ---
+
+Result<QByteArray> Actions::readFile(int type, int index)
+{
+    QByteArray content;
+    Progress progress;
+    progress.step = u"read-file"_s;
+    for (int size = 1; content.size() < size;) {
+        const int page = int(content.size()) / kFilePage;
+        const auto frame = m_channel.transact(replyRequest(
+            CommandId::ReadFile, ByteWriter().u8(type).u8(index).u16(page).u16(kFilePart).zeros(14).take(),
+            CommandId::ReadFile, 4 + kFilePart, Device::kVersion, [page](Bytes payload) {
+                ByteReader reader(payload);
+                reader.skip(2);
+                return payload.size() == 1 || reader.u16() == page;
+            }));
+        if (!frame)
+            return tl::unexpected(frame.error());
+        if (frame->payload.size() == 1)
+            return tl::unexpected(fileRefusal(quint8(frame->payload[0])));
+        ByteReader reader(frame->payload);
+        size = reader.u16();
+        reader.skip(2);
+        const QByteArray part = toByteArray(reader.take(reader.remaining()));
+        if (size == 0)
+            break;
+        if (part.isEmpty())
+            return failure(ErrorCode::BadReply, u"READ_FILE at page %1"_s.arg(page));
+        content += part;
+        progress.total = size;
+        progress.done = int(content.size());
+        m_channel.progress(progress);
+    }
+    return content;
+}
+
+Error Actions::fileRefusal(int code)
+{
+    const auto words = findMessage(number(CommandId::ScriptDebug))->fromBoard->back().words;
+    const auto word = std::find_if(words.begin(), words.end(),
+                                   [code](const Choice &choice) { return choice.value == code; });
+    return {ErrorCode::BoardError,
+            word == words.end() ? u"file error %1"_s.arg(code) : QString(QLatin1String(word->name)), code};
+}
+
+Result<void> Actions::putFile(int type, int index, const QByteArray &content)
+{
+    Progress progress;
+    progress.step = u"write-file"_s;
+    progress.total = int(content.size());
+    int at = 0;
+    do {
+        const QByteArray part = content.mid(at, kFilePart);
+        Request request = confirmRequest(
+            CommandId::WriteFile,
+            ByteWriter().u8(type).u8(index).u16(int(content.size())).u16(at / kFilePage).bytes(part).take(),
+            Device::kVersion);
+        request.timeout = 3000ms;
+        const auto done = m_channel.transact(request);
+        if (!done)
+            return tl::unexpected(done.error());
+        if (done->payload.size() > 1 && done->payload[1] != 0)
+            return tl::unexpected(fileRefusal(quint8(done->payload[1])));
+        at += int(part.size());
+        progress.done = at;
+        m_channel.progress(progress);
+    } while (at < content.size());
+    return {};
+}
+
+Result<ActionReply> Actions::saveFile(const QVariantMap &arguments)
+{
+    const auto content = readFile(arguments.value(u"type"_s).toInt(), arguments.value(u"number"_s).toInt());
+    if (!content)
+        return tl::unexpected(content.error());
+    if (const auto written = writeWhole(arguments.value(u"file"_s).toString(), *content); !written)
+        return tl::unexpected(written.error());
+    return ActionReply{{u"bytes"_s, int(content->size())}};
+}
+
+Result<ActionReply> Actions::loadFile(const QVariantMap &arguments)
+{
+    const QString path = arguments.value(u"file"_s).toString();
+    const auto content = readWhole(path, FileKind::Other, kLargestFile);
+    if (!content)
+        return tl::unexpected(content.error());
+    if (content->isEmpty())
+        return fileFailure({.problem = FileProblem::Empty, .kind = FileKind::Other, .path = path});
+    const int type = arguments.value(u"type"_s).toInt();
+    const int index = arguments.value(u"number"_s).toInt();
+    if (const auto done = putFile(type, index, *content); !done)
+        return tl::unexpected(done.error());
+    const auto back = readFile(type, index);
+    if (!back)
+        return tl::unexpected(back.error());
+    if (*back != *content)
+        return failure(ErrorCode::NoEffect, u"the board holds another file"_s);
+    return ActionReply{{u"bytes"_s, int(content->size())}};
+}
+
+Result<ActionReply> Actions::eraseFile(const QVariantMap &arguments)
+{
+    const int type = arguments.value(u"type"_s).toInt();
+    const int index = arguments.value(u"number"_s).toInt();
+    if (const auto done = putFile(type, index, {}); !done)
+        return tl::unexpected(done.error());
+    const auto back = readFile(type, index);
+    if (back && !back->isEmpty())
+        return failure(ErrorCode::NoEffect, u"the board still has the file"_s);
+    return ActionReply{};
+}
+
+Result<ActionReply> Actions::runScript(const QVariantMap &arguments)
+{
+    const int mode = arguments.value(u"mode"_s).toInt();
+    const int slot = arguments.value(u"slot"_s).toInt() - 1;
+    return confirm(CommandId::RunScript, ByteWriter().u8(mode).u8(slot).zeros(32).take());
+}
+
+}  // namespace simplebgc

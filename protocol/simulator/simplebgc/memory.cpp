@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The simulated board's memory as a whole, its files, profile sets and scripts (errata 3.21 and 3.23). Which
+// address holds what no document tells; here the blocks lie one after the other.
+#include "protocol/simplebgc/messages.h"
+#include "protocol/simulator/simplebgc/board.h"
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace simplebgc {
+
+namespace {
+
+constexpr int kUnit = 64;
+constexpr int kLargestPart = 192;
+constexpr int kProfileRegion = 1024;
+constexpr std::array<int, 4> kBlockOffsets{0, 192, 320, 512};
+constexpr int kSlotsAt = 5 * kProfileRegion;
+constexpr int kNamesAt = kSlotsAt + 192;
+constexpr int kExternalAt = 6 * kProfileRegion;
+constexpr int kExternalSize = 128;
+constexpr int kFlash = 65536;  // bytes of all files
+constexpr int kNotFound = 2;  // file errors (errata 3.18)
+constexpr int kNoSpace = 4;
+constexpr int kWrongFileSize = 6;
+constexpr int kBackupSlot = 6;
+constexpr double kLineTime = 0.1;  // seconds of a script's command
+
+void place(QByteArray &memory, int at, const QByteArray &bytes)
+{
+    memory.replace(at, bytes.size(), bytes);
+}
+
+int fileKey(ByteReader &reader)
+{
+    const int type = reader.u8();
+    return type + (reader.u8() << 8);
+}
+
+}  // namespace
+
+QByteArray SimulatedBoard::memory() const
+{
+    QByteArray bytes = m_restOfMemory;
+    for (int profile = 0; profile < kProfileCount; ++profile) {
+        for (const int block : {Params3, ParamsExt, ParamsExt2, ParamsExt3})
+            place(bytes, profile * kProfileRegion + kBlockOffsets[std::size_t(block)],
+                  m_eeprom[std::size_t(profile)][std::size_t(block)]);
+    }
+    place(bytes, kSlotsAt, m_eeprom[0][AdjVarsCfg]);
+    place(bytes, kNamesAt, encodeProfileNames(m_names));
+    place(bytes, kExternalAt, m_external);
+    return bytes;
+}
+
+// In use it is after the next start.
+void SimulatedBoard::setMemory(const QByteArray &bytes)
+{
+    m_restOfMemory = bytes;
+    for (int profile = 0; profile < kProfileCount; ++profile) {
+        Block &blocks = m_eeprom[std::size_t(profile)];
+        for (const int block : {Params3, ParamsExt, ParamsExt2, ParamsExt3})
+            blocks[std::size_t(block)] = bytes.mid(
+                profile * kProfileRegion + kBlockOffsets[std::size_t(block)], kBlocks[block].size);
+        blocks[AdjVarsCfg] = bytes.mid(kSlotsAt, kAdjVarsCfgSize);
+    }
+    const QByteArray names = bytes.mid(kNamesAt, kProfileCount * kProfileNameSize);
+    if (const auto read = decodeProfileNames(asBytes(names)))
+        m_names = *read;
+    m_external = bytes.mid(kExternalAt, kExternalSize);
+}
+
+bool SimulatedBoard::handleMemory(const Frame &frame)
+{
+    ByteReader reader(frame.payload);
+    switch (static_cast<CommandId>(frame.id)) {
+    case CommandId::EepromRead: {
+        const quint32 address = reader.u32();
+        const int size = reader.u16();
+        const bool fits = reader.ok() && address % kUnit == 0 && size % kUnit == 0 && size >= kUnit
+            && size <= kLargestPart && address + quint32(size) <= kMemorySize;
+        if (fits)
+            reply(frame, CommandId::EepromRead,
+                  ByteWriter().u32(address).take() + memory().mid(qsizetype(address), size));
+        else
+            refuse(frame, kWrongParameters);
+        return true;
+    }
+    case CommandId::EepromWrite: {
+        const quint32 address = reader.u32();
+        const QByteArray bytes = frame.payload.mid(4);
+        const bool fits = reader.ok() && !bytes.isEmpty() && address % kUnit == 0 && bytes.size() % kUnit == 0
+            && address + quint32(bytes.size()) <= kMemorySize;
+        if (!fits) {
+            refuse(frame, kWrongParameters);
+            return true;
+        }
+        QByteArray all = memory();
+        place(all, int(address), bytes);
+        setMemory(all);
+        confirm(frame, ByteWriter().u32(address).take());
+        return true;
+    }
+    case CommandId::ReadExternalData: reply(frame, CommandId::ReadExternalData, m_external); return true;
+    case CommandId::WriteExternalData:
+        if (hasSize(frame, kExternalSize)) {
+            m_external = frame.payload;
+            confirm(frame);
+        }
+        return true;
+    case CommandId::ReadFile: sendFile(frame); return true;
+    case CommandId::WriteFile: takeFile(frame); return true;
+    case CommandId::FsClearAll:
+        m_files.clear();
+        m_replies.push_back(
+            {m_now + 5.0, encodeFrame(number(CommandId::Confirm), QByteArray("\x37\x00", 2), frame.version)});
+        return true;
+    case CommandId::ProfileSet:
+        if (m_options.firmware < kLater)
+            return false;
+        profileSet(frame);
+        return true;
+    case CommandId::RunScript: {
+        if (!hasSize(frame, 34))
+            return true;
+        const int mode = reader.u8();
+        const int slot = reader.u8();
+        if (mode == 0) {
+            m_script = {};
+        } else if (mode > 2 || m_files.value(kScriptFile + (slot << 8)).isEmpty()) {
+            refuse(frame, kWrongParameters);
+            return true;
+        } else {
+            m_script = {slot, mode == 2, m_now + kLineTime, 0, frame.version};
+        }
+        confirm(frame);
+        return true;
+    }
+    default: return false;
+    }
+}
+
+void SimulatedBoard::sendFile(const Frame &frame)
+{
+    if (!hasSize(frame, 20))
+        return;
+    ByteReader reader(frame.payload);
+    const int key = fileKey(reader);
+    const int page = reader.u16();
+    const int size = reader.u16();
+    if (!m_files.contains(key)) {
+        reply(frame, CommandId::ReadFile, QByteArray(1, char(kNotFound)));
+        return;
+    }
+    const QByteArray &file = m_files[key];
+    reply(frame, CommandId::ReadFile,
+          ByteWriter()
+              .u16(int(file.size()))
+              .u16(page)
+              .bytes(file.mid(page * kUnit, std::min(size, kLargestPart)))
+              .take());
+}
+
+// It is there when its last part has come; no data erase it.
+void SimulatedBoard::takeFile(const Frame &frame)
+{
+    ByteReader reader(frame.payload);
+    const int key = fileKey(reader);
+    const int size = reader.u16();
+    const int page = reader.u16();
+    const QByteArray part = toByteArray(reader.take(reader.remaining()));
+    if (!reader.ok()) {
+        refuse(frame, kWrongSize);
+        return;
+    }
+    int used = 0;
+    for (auto it = m_files.cbegin(); it != m_files.cend(); ++it)
+        used += it.key() == key ? 0 : int(it->size());
+    int code = 0;
+    if (part.isEmpty()) {
+        code = m_files.remove(key) > 0 ? 0 : kNotFound;
+    } else if (used + size > kFlash) {
+        code = kNoSpace;
+    } else {
+        if (page == 0)
+            m_arriving.clear();
+        if (m_arriving.size() != page * kUnit || page * kUnit + part.size() > size)
+            code = kWrongFileSize;
+        else
+            m_arriving += part;
+        if (code == 0 && m_arriving.size() == size)
+            m_files[key] = m_arriving;
+    }
+    confirm(frame, QByteArray(1, char(code)));
+}
+
+void SimulatedBoard::profileSet(const Frame &frame)
+{
+    if (!hasSize(frame, 10))
+        return;
+    const int slot = quint8(frame.payload[0]);
+    const int action = quint8(frame.payload[1]);
+    if (slot < 1 || slot > kBackupSlot || action < 1 || action > 3) {
+        refuse(frame, kWrongParameters);
+        return;
+    }
+    std::vector<Block> &set = m_sets[std::size_t(slot - 1)];
+    if (action == 3 && set.empty()) {
+        refuse(frame, kWrongState);
+        return;
+    }
+    if (action == 1)
+        set.assign(m_eeprom.begin(), m_eeprom.end());
+    else if (action == 2)
+        set.clear();
+    else
+        std::copy(set.begin(), set.end(), m_eeprom.begin());
+    confirm(frame);
+    if (action == 3)
+        loadProfile(m_active);
+}
+
+// What is compiled nobody outside can read, so it runs from the first to the last byte and does nothing.
+void SimulatedBoard::updateScript()
+{
+    if (m_script.slot < 0 || m_now < m_script.next)
+        return;
+    m_script.next += kLineTime;
+    ++m_script.line;
+    const qsizetype length = m_files.value(kScriptFile + (m_script.slot << 8)).size();
+    if (m_script.isDebugged)
+        send(CommandId::ScriptDebug, ByteWriter().u16(m_script.line).u8(0).take(), m_script.version);
+    if (m_script.line >= length)
+        m_script = {};
+}
+
+}  // namespace simplebgc
