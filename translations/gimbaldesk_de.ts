@@ -17477,26 +17477,6 @@ Spitze %2°</translation>
         <translation>Aktualisiert auch kopfüber</translation>
     </message>
     <message>
-        <source>Variable slot %1: at the highest signal</source>
-        <translation>Variablenplatz %1: beim höchsten Signal</translation>
-    </message>
-    <message>
-        <source>Variable slot %1: at the lowest signal</source>
-        <translation>Variablenplatz %1: beim niedrigsten Signal</translation>
-    </message>
-    <message>
-        <source>Variable slot %1: multiply</source>
-        <translation>Variablenplatz %1: vervielfachen</translation>
-    </message>
-    <message>
-        <source>Variable slot %1: signal</source>
-        <translation>Variablenplatz %1: Signal</translation>
-    </message>
-    <message>
-        <source>Variable slot %1: variable</source>
-        <translation>Variablenplatz %1: Variable</translation>
-    </message>
-    <message>
         <source>Variable slots</source>
         <translation>Variablenplätze</translation>
     </message>
@@ -17803,6 +17783,26 @@ Spitze %2°</translation>
     <message>
         <source>store</source>
         <translation>speichern</translation>
+    </message>
+    <message>
+        <source>Slot %1: at highest signal</source>
+        <translation>Platz %1: beim höchsten Signal</translation>
+    </message>
+    <message>
+        <source>Slot %1: at lowest signal</source>
+        <translation>Platz %1: beim tiefsten Signal</translation>
+    </message>
+    <message>
+        <source>Slot %1: multiply</source>
+        <translation>Platz %1: vervielfachen</translation>
+    </message>
+    <message>
+        <source>Slot %1: signal</source>
+        <translation>Platz %1: Signal</translation>
+    </message>
+    <message>
+        <source>Slot %1: variable</source>
+        <translation>Platz %1: Variable</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 using namespace Qt::StringLiterals;
 
@@ -311,7 +312,7 @@ ParameterSet::ParameterSet(std::span<const ParameterRow> rows, std::span<const B
                 spec.id = static_cast<int>(m_specs.size());
                 spec.firmware = firmware;
                 spec.axis = row.axes > 1 ? kAxes[static_cast<std::size_t>(axis)] : row.axis;
-                spec.index = row.count > 1 ? index + row.firstIndex : -1;
+                spec.index = row.count > 1 || std::strstr(row.key, "%n") ? index + row.firstIndex : -1;
                 spec.key = expandKey(row.key, spec.axis, spec.index);
                 const int place = row.pitchFirst && axis < 2 ? 1 - axis : axis;
                 spec.offset = row.offset + place * row.axisStride + index * row.countStride;

@@ -22,7 +22,7 @@ constexpr ParameterRow kTrigger{
     .key = "", .label = "", .group = "Trigger slots",
     .help = "Menu command that is run when the signal comes into this fifth of its range.",
     .block = AdjVarsCfg, .kind = ValueKind::Choice, .count = kTriggerSlots, .countStride = 6, .choices = kMenuActions,
-    .level = ViewLevel::Advanced, .scope = Scope::Board};
+    .level = ViewLevel::Advanced, .scope = Scope::Board, .inactive = {"slot.trigger%n.source", 0}};
 
 constexpr ParameterRow trigger(const char *key, const char *label, std::uint16_t offset)
 {
@@ -43,26 +43,26 @@ constexpr ParameterRow kRows[] = {
     trigger("slot.trigger%n.action3", "Trigger %1: middle", 3),
     trigger("slot.trigger%n.action4", "Trigger %1: fourth fifth", 4),
     trigger("slot.trigger%n.action5", "Trigger %1: highest fifth", 5),
-    {.key = "slot.analog%n.source", .label = "Variable slot %1: signal", .group = "Variable slots",
+    {.key = "slot.analog%n.source", .label = "Slot %1: signal", .group = "Variable slots",
      .help = "Signal that sets an adjustable variable continuously.",
      .block = AdjVarsCfg, .offset = 60, .kind = ValueKind::Choice, .count = kAnalogSlots, .countStride = 4, .choices = kSignalSources,
      .scope = Scope::Board},
-    {.key = "slot.analog%n.variable", .label = "Variable slot %1: variable", .group = "Variable slots",
+    {.key = "slot.analog%n.variable", .label = "Slot %1: variable", .group = "Variable slots",
      .help = "Variable that the signal sets.",
      .block = AdjVarsCfg, .offset = 61, .bitShift = 0, .bitCount = 7, .kind = ValueKind::Choice, .count = kAnalogSlots, .countStride = 4,
-     .max = 127, .scope = Scope::Board},
-    {.key = "slot.analog%n.multiply", .label = "Variable slot %1: multiply", .group = "Variable slots",
+     .max = 127, .scope = Scope::Board, .inactive = {"slot.analog%n.source", 0}},
+    {.key = "slot.analog%n.multiply", .label = "Slot %1: multiply", .group = "Variable slots",
      .help = "The signal multiplies the stored value instead of replacing it.",
      .block = AdjVarsCfg, .offset = 61, .bitShift = 7, .bitCount = 1, .kind = ValueKind::Toggle, .count = kAnalogSlots, .countStride = 4,
-     .max = 1, .scope = Scope::Board, .since = 2600},
-    {.key = "slot.analog%n.min", .label = "Variable slot %1: at the lowest signal", .group = "Variable slots",
+     .max = 1, .scope = Scope::Board, .since = 2600, .inactive = {"slot.analog%n.source", 0}},
+    {.key = "slot.analog%n.min", .label = "Slot %1: at lowest signal", .group = "Variable slots",
      .help = "Share of the variable's own range.",
      .block = AdjVarsCfg, .offset = 62, .count = kAnalogSlots, .countStride = 4, .unit = "%", .scale = kShare, .decimals = 1,
-     .scope = Scope::Board},
-    {.key = "slot.analog%n.max", .label = "Variable slot %1: at the highest signal", .group = "Variable slots",
+     .scope = Scope::Board, .inactive = {"slot.analog%n.source", 0}},
+    {.key = "slot.analog%n.max", .label = "Slot %1: at highest signal", .group = "Variable slots",
      .help = "Share of the variable's own range.",
      .block = AdjVarsCfg, .offset = 63, .count = kAnalogSlots, .countStride = 4, .unit = "%", .scale = kShare, .decimals = 1,
-     .defaults = {255}, .scope = Scope::Board},
+     .defaults = {255}, .scope = Scope::Board, .inactive = {"slot.analog%n.source", 0}},
 };
 // clang-format on
 
@@ -89,10 +89,21 @@ std::span<const ParameterRow> slotRows()
         return all;
     }();
     static const std::vector<ParameterRow> rows = [] {
-        std::vector<ParameterRow> all(std::begin(kRows), std::end(kRows));
-        for (ParameterRow &row : all) {
-            if (row.kind == ValueKind::Choice && row.choices.empty())
-                row.choices = variables;
+        // Slot by slot, as one is filled in.
+        std::vector<ParameterRow> all;
+        for (const int count : {kTriggerSlots, kAnalogSlots}) {
+            for (int slot = 0; slot < count; ++slot) {
+                for (ParameterRow row : kRows) {
+                    if (row.count != count)
+                        continue;
+                    row.offset = std::uint16_t(row.offset + slot * row.countStride);
+                    row.count = 1;
+                    row.firstIndex = std::uint8_t(slot + 1);
+                    if (row.kind == ValueKind::Choice && row.choices.empty())
+                        row.choices = variables;
+                    all.push_back(row);
+                }
+            }
         }
         return all;
     }();

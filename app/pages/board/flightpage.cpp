@@ -529,9 +529,11 @@ void FlightPage::showState()
     m_open->setText(isOpen ? tr("Close the control session") : tr("Open a control session…"));
     m_open->setEnabled(isOpen || now.isLinked);
     m_tune->setVisible(isOpen && m_session.isHeld());
-    // Before that it cannot be armed.
-    const bool isChecked = m_directions->found().level == CheckedDirections::Level::All;
-    m_steps->setVisible(isOpen && m_session.isHeld() && !m_directions->isChecking() && isChecked);
+    // Before that it cannot be armed; afterwards, in a stand, there is nothing to check.
+    const bool isStand = isOpen && m_session.isHeld() && !m_directions->isChecking()
+        && m_directions->found().level == CheckedDirections::Level::All;
+    m_steps->setVisible(isStand);
+    m_directions->setVisible(!isStand);
     m_throttle->setMaximum(m_directions->isChecking() ? int(kFullStick * DirectionCheck::kMostThrottle)
                                                       : kFullStick);
     m_steps->setReady(m_session.phase() == ArmingSession::Phase::Armed, sticks().throttle);
