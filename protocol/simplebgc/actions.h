@@ -75,6 +75,7 @@ private:
 
     /// Runs a calibration that finds parameters of this block, and tells them; "%1" in the keys is the axis.
     Result<ActionReply> calibrateMotors(CommandId id, Block block, std::initializer_list<const char *> keys);
+    Result<QByteArray> externalData();
     /// The first bytes of the board's memory. Errors: BadReply, those of the link.
     Result<QByteArray> readMemory(int size);
     /// A file of the board. Errors: BoardError with the board's code, BadReply, those of the link.

@@ -4,6 +4,7 @@
 // and its memory as a whole (errata 3.19 to 3.23).
 #include "protocol/base/filefault.h"
 #include "protocol/base/hexbytes.h"
+#include "protocol/session/carryout.h"
 #include "protocol/session/channel.h"
 #include "protocol/simplebgc/actions.h"
 #include "protocol/simplebgc/memoryimage.h"
@@ -166,12 +167,10 @@ Result<ActionReply> Actions::readSignals(const QVariantMap &)
                               : Result<QByteArray>(tl::unexpected(active.error()));
     if (!bytes)
         return tl::unexpected(bytes.error());
-    constexpr std::array<const char *, 6> kInputs{"rc.map.roll", "rc.map.pitch", "rc.map.yaw",
-                                                  "rc.map.cmd",  "fc.map.roll",  "fc.map.pitch"};
     QStringList names;
     ByteWriter writer;
     writer.u16(0);
-    for (const char *input : kInputs) {
+    for (const char *input : kSignalKeys) {
         const ParameterSpec *spec = m_device.m_parameters->find(QLatin1String(input));
         const int source = spec ? int(spec->read(*bytes).value_or(0)) : 0;
         if (source == 0)
@@ -259,13 +258,19 @@ Result<ActionReply> Actions::profileSet(const QVariantMap &arguments)
     return ActionReply{};
 }
 
-Result<ActionReply> Actions::readExternal(const QVariantMap &)
+Result<QByteArray> Actions::externalData()
 {
     const auto frame = m_channel.transact(replyRequest(
         CommandId::ReadExternalData, {}, CommandId::ReadExternalData, kExternalSize, Device::kVersion));
-    if (!frame)
-        return tl::unexpected(frame.error());
-    return ActionReply{{u"data"_s, QString::fromLatin1(frame->payload.toHex(' '))}};
+    return frame ? Result<QByteArray>(frame->payload) : tl::unexpected(frame.error());
+}
+
+Result<ActionReply> Actions::readExternal(const QVariantMap &)
+{
+    const auto data = externalData();
+    if (!data)
+        return tl::unexpected(data.error());
+    return ActionReply{{u"data"_s, QString::fromLatin1(data->toHex(' '))}};
 }
 
 Result<ActionReply> Actions::writeExternal(const QVariantMap &arguments)
@@ -276,12 +281,11 @@ Result<ActionReply> Actions::writeExternal(const QVariantMap &arguments)
     const QByteArray wanted = bytes->leftJustified(kExternalSize, '\0');
     if (const auto done = confirm(CommandId::WriteExternalData, wanted); !done)
         return done;
-    const auto back = m_channel.transact(replyRequest(
-        CommandId::ReadExternalData, {}, CommandId::ReadExternalData, kExternalSize, Device::kVersion));
+    const auto back = externalData();
     if (!back)
         return tl::unexpected(back.error());
-    return back->payload == wanted ? Result<ActionReply>(ActionReply{})
-                                   : failure(ErrorCode::NoEffect, u"the board holds other data"_s);
+    return *back == wanted ? Result<ActionReply>(ActionReply{})
+                           : failure(ErrorCode::NoEffect, u"the board holds other data"_s);
 }
 
 // --- the whole memory ---

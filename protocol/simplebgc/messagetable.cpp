@@ -72,8 +72,6 @@ constexpr FieldSpec perAxis(std::span<const FieldSpec> inner)
     return group("", inner, 3, Elements::Axes);
 }
 
-constexpr double kFineAngle = 360.0 / 1048576.0;  // 20 bits a turn
-
 // clang-format off
 
 // ---- words ----

@@ -77,8 +77,6 @@ std::span<const ValueRule> valueRules()
         // The document of 2.5x; later ones know these orders for three axes.
         {"imu.euler_order", "", isForTwoAxes, "this order is for boards with two axes", "yaw-axis", 2599},
     };
-    static constexpr const char *kInputs[]
-        = {"rc.map.roll", "rc.map.pitch", "rc.map.yaw", "rc.map.cmd", "fc.map.roll", "fc.map.pitch"};
     // clang-format off
     static constexpr ValueRule kPins[] = {
         {"", "service.servo1.source", isServoPin<kPinFcRoll>, kServo},
@@ -89,7 +87,7 @@ std::span<const ValueRule> valueRules()
     // clang-format on
     static const std::vector<ValueRule> rules = [] {
         std::vector<ValueRule> all(std::begin(kFixed), std::end(kFixed));
-        for (const char *input : kInputs) {
+        for (const char *input : kSignalKeys) {
             for (ValueRule rule : kPins) {
                 rule.first = input;
                 all.push_back(rule);

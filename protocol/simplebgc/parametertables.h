@@ -4,6 +4,8 @@
 
 #include "protocol/configuration/parameterspec.h"
 
+#include <array>
+
 namespace simplebgc {
 
 /// The blocks of a SimpleBGC configuration and the commands that carry them.
@@ -18,6 +20,10 @@ inline constexpr int kAdjVarsCfgSize = 128;
 /// The first firmware with PARAMS_EXT3. Assumed: the errata tell "later", and the oldest of its fields that
 /// they date came with 2.68.
 inline constexpr int kExt3Since = 2680;
+
+/// The parameters that say which signal a function has.
+inline constexpr std::array<const char *, 6> kSignalKeys{"rc.map.roll", "rc.map.pitch", "rc.map.yaw",
+                                                         "rc.map.cmd",  "fc.map.roll",  "fc.map.pitch"};
 
 inline constexpr int kTriggerSlots = 10;
 inline constexpr int kAnalogSlots = 15;

@@ -17,7 +17,6 @@ constexpr Choice kDirections[] = {{0, "X"}, {1, "Y"}, {2, "Z"}, {3, "-X"}, {4, "
 constexpr Choice kExternalFlags[] = {
     {1, "Accelerometer compensation only"}, {2, "Replaces the main sensor"}, {3, "Corrects the horizon"}, {4, "Corrects the heading"},
     {5, "Updates while upside-down"}, {6, "Serves as frame sensor"}, {7, "Corrects the gyroscope"}};
-constexpr Choice kButtonFlags[] = {{6, "Latching"}, {7, "Inverted"}};
 constexpr Choice kProfileFlags2[] = {
     {0, "Do not follow pitch"}, {1, "Priority of low angles: roll"}, {2, "Priority of low angles: pitch"}, {3, "Priority of low angles: yaw"},
     {4, "Heading of tripod mode"}, {5, "Roll motor disabled"}, {6, "Pitch motor disabled"}, {7, "Yaw motor disabled"},

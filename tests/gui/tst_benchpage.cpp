@@ -271,6 +271,9 @@ void TestBenchPage::firmwareIsUploaded()
     QCOMPARE(m_rig->client().identity().firmware, u"1.0"_s);
     QTest::mouseClick(card->uploadButton(), Qt::LeftButton);
     QVERIFY(card->isRunning() && bench().isUnderWay());
+    QTRY_VERIFY(m_rig->window().offerBar()->isVisible());
+    // What cannot be had back is asked in red.
+    QCOMPARE(m_rig->window().offerBar()->buttons().first()->objectName(), u"danger"_s);
     QVERIFY(confirm(u"The file was made for this drone"_s));
     QTRY_VERIFY_WITH_TIMEOUT(card->said().contains(u"do not switch it off"_s), kPatience);
     QVERIFY(!card->cancelButton()->isEnabled());

@@ -14,6 +14,7 @@
 #include "protocol/transport/linkaddress.h"
 #include "tests/support/boardtime.h"
 #include "tests/support/patience.h"
+#include "tests/support/standstill.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -454,11 +455,18 @@ void TestSupervision::newStreamsAreNoSilence()
     QTimer repeat;
     connect(&repeat, &QTimer::timeout, this, [&] { m_client->setControl(wanted); });
     repeat.start(50);
-    for (int i = 0; i < 8; ++i) {
-        const std::array<int, 3> &more = i % 2 ? m_client->roles().motorPower : m_client->roles().gyro;
-        m_client->subscribe({.channels = ChannelRoles::present({m_client->roles().angle, more}),
-                             .rate = i % 4 < 2 ? 10.0 : 100.0});
-        QVERIFY(boardGoesOn(*m_client, 0.8));
+    // Where the machine stood still meanwhile, data were late indeed.
+    for (int attempt = 1;; ++attempt) {
+        m_reports.clear();
+        StandstillWatch machine;
+        for (int i = 0; i < 8; ++i) {
+            const std::array<int, 3> &more = i % 2 ? m_client->roles().motorPower : m_client->roles().gyro;
+            m_client->subscribe({.channels = ChannelRoles::present({m_client->roles().angle, more}),
+                                 .rate = i % 4 < 2 ? 10.0 : 100.0});
+            QVERIFY(boardGoesOn(*m_client, 0.8));
+        }
+        if (m_reports.isEmpty() || !machine.hasStoodStill() || attempt == 3)
+            break;
     }
     m_client->releaseControl();
     QVERIFY2(m_reports.isEmpty(), qPrintable(QString::number(int(m_reports.value(0).alarm.kind))));

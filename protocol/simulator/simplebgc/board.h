@@ -25,6 +25,7 @@ enum Refusal {
     kNotSupported = 9
 };
 
+inline constexpr int kMostSources = 127;  ///< whose values fit into one frame
 inline constexpr int kMemorySize = 32768;
 inline constexpr int kScriptFile = 1;  ///< type of a file (errata 3.21)
 inline constexpr int kScriptSlots = 5;
@@ -215,7 +216,6 @@ private:
     QMap<int, QByteArray> m_files;  // by type and, in the high byte, number
     QByteArray m_arriving;  // of a file that is written
     std::array<std::vector<Block>, 6> m_sets;  // the last one is the backup
-    QMap<int, int> m_pins;
     struct Script
     {
         int slot = -1;

@@ -186,7 +186,10 @@ bool SimulatedBoard::handleRead(const Frame &frame)
     case CommandId::ReadRcInputs:
         if (m_options.firmware < kLater)
             return false;
-        reply(frame, CommandId::ReadRcInputs, rcInputs(frame));
+        if (const qsizetype sources = frame.payload.size() - 2; sources >= 1 && sources <= kMostSources)
+            reply(frame, CommandId::ReadRcInputs, rcInputs(frame));
+        else
+            refuse(frame, kWrongSize);
         return true;
     case CommandId::GetParams3:
         refuse(frame, kNotSupported);  // "not yet implemented" according to the document

@@ -43,13 +43,11 @@ bool SimulatedBoard::handleMotors(const Frame &frame)
             return true;
         const int pin = reader.u8();
         // Only if it really happened (document TRIGGER_PIN): an input is not set.
-        for (const char *input :
-             {"rc.map.roll", "rc.map.pitch", "rc.map.yaw", "rc.map.cmd", "fc.map.roll", "fc.map.pitch"}) {
+        for (const char *input : kSignalKeys) {
             if (pin <= kInputPins && int(value(QLatin1String(input))) == pin)
                 return true;
         }
-        m_pins[pin] = reader.u8();
-        confirm(frame);
+        confirm(frame);  // nothing is connected to it
         return true;
     }
     case CommandId::ServoOut: return frame.payload.size() == 16;
@@ -117,9 +115,13 @@ bool SimulatedBoard::handleMotors(const Frame &frame)
         if (m_options.firmware < 2734)
             return false;
         const int count = reader.u8();
+        if (count < 1 || count > kAdjVarsPerCommand || reader.remaining() != std::size_t(count)) {
+            refuse(frame, kWrongSize);
+            return true;
+        }
         ByteWriter writer;
         writer.u8(count);
-        for (int i = 0; i < count && reader.remaining() > 0; ++i) {
+        for (int i = 0; i < count; ++i) {
             const int id = reader.u8();
             writer.u8(id).f32(float(adjVar(id).value_or(0)));
         }
