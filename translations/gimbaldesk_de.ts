@@ -2325,8 +2325,8 @@
         <translation>Haken Sie „Befehle erlauben, die etwas ändern“ an, um es trotzdem zu senden.</translation>
     </message>
     <message>
-        <source>Command: a name with payload bytes, or a whole frame in hex</source>
-        <translation>Befehl: ein Name mit Datenbytes oder ein ganzer Frame in Hex</translation>
+        <source>Command: a name with fields or bytes, or a whole frame in hex</source>
+        <translation>Befehl: ein Name mit Feldern oder Bytes, oder ein ganzer Frame in Hex</translation>
     </message>
 </context>
 <context>

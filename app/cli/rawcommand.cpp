@@ -18,10 +18,12 @@ class RawFrameCommand final : public BoardCommand
 public:
     using BoardCommand::BoardCommand;
     const char *name() const override { return "raw"; }
-    const char *words() const override { return "NAME [HEX...] | HEX... | help"; }
+    const char *words() const override { return "NAME [FIELD=VALUE...|HEX...] | HEX... | help"; }
     QString help() const override
     {
-        return u"send one command by name or in hex and tell the answers; \"raw help\" lists the names"_s;
+        return u"send one command by name, with its fields or bytes, or in hex, and tell the answers; \"raw "
+               u"help\" lists "
+               "the names"_s;
     }
     const char *example() const override { return "--link serial:/dev/ttyUSB0 raw EXECUTE_MENU 12"; }
     QList<CommandOption> options() override

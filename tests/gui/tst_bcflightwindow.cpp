@@ -298,7 +298,7 @@ void TestBcflightWindow::checkedIsADroneThatIsKnown()
     keepDirections(m_rig->workspace(), all);
     m_rig->client().disconnectFromBoard();
     QVERIFY(connected());
-    QCOMPARE(checkedDirections(m_rig->workspace()), all);
+    QTRY_COMPARE(checkedDirections(m_rig->workspace()), all);
     QVERIFY(m_rig->workspace().naming().choose(u"Another"_s));
     QCOMPARE(checkedDirections(m_rig->workspace()).level, CheckedDirections::Level::Nothing);
 }

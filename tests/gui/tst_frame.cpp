@@ -493,7 +493,7 @@ void TestFrame::recordingIsMarked()
 
 void TestFrame::boardThatCannotBeWrittenIsMarked()
 {
-    SimProcess board({u"--tcp"_s, u"0"_s, u"--firmware"_s, u"2.75b0"_s});
+    SimProcess board({u"--tcp"_s, u"0"_s, u"--fault"_s, u"unknown-firmware=1"_s});
     QVERIFY(m_rig->open(board.address()));
     QVERIFY(!m_rig->client().identity().writable);
     QCOMPARE(badges(), QStringList{u"READ ONLY"_s});

@@ -57,7 +57,7 @@ ConsolePage::ConsolePage(Workspace &workspace, QWidget *parent)
     m_details->setPlaceholderText(tr("Choose a frame to see all of it."));
     m_details->setMaximumHeight(120);
     m_input->setAccessibleName(tr("Command to send"));
-    m_input->setPlaceholderText(tr("Command: a name with payload bytes, or a whole frame in hex"));
+    m_input->setPlaceholderText(tr("Command: a name with fields or bytes, or a whole frame in hex"));
     m_input->setFont(fixed);
     m_allow->setToolTip(tr("Commands that write take a snapshot first; motors may move"));
     auto *sendButton = new QPushButton(tr("Send"));
