@@ -5,6 +5,7 @@
 #include "protocol/device/device.h"
 #include "protocol/device/steering.h"
 #include "protocol/telemetry/telemetrystore.h"
+#include "protocol/transport/linkaddress.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 

@@ -120,16 +120,17 @@ void StickStepCard::fillGains()
     }
     for (std::size_t gain = 0; gain < m_gains.size(); ++gain) {
         const int id = m_parameters[gain];
-        const auto value = id < 0 ? std::nullopt : live.value(id);
-        m_gains[gain]->setEnabled(value.has_value());
-        if (!value)
+        const std::optional<double> held = id < 0 ? std::nullopt : live.value(id);
+        m_gains[gain]->setEnabled(held.has_value());
+        if (!held)
             continue;
+        const double value = held.value_or(0.0);
         const auto [low, high] = live.range(id);
         m_gains[gain]->setRange(low, high);
-        m_gains[gain]->setSingleStep(std::max(1e-8, std::abs(*value) * kGainStep));
-        m_gains[gain]->setValue(*value);
+        m_gains[gain]->setSingleStep(std::max(1e-8, std::abs(value) * kGainStep));
+        m_gains[gain]->setValue(value);
         const ParameterSpec &spec = shown.board().parameters().at(id);
-        if (const auto figure = shown.board().textFigure(spec, *value))
+        if (const auto figure = shown.board().textFigure(spec, value))
             figures.append(numberText(*figure, kFigureDecimals));
     }
     m_figures->setText(tr("In the text's numbers: %1").arg(figures.join(u" · "_s)));
