@@ -534,7 +534,8 @@ std::optional<milliseconds> Device::ordersReset(QByteArrayView sent) const
         } else if (frame.id == number(CommandId::UseDefaults)
                    || (frame.id == number(CommandId::ExecuteMenu) && reader.u8() == kMenuReset)) {
             after = kAnnounced;
-        } else if (frame.id == number(CommandId::CalibAcc) || frame.id == number(CommandId::CalibGyro)) {
+        } else if (frame.id == number(CommandId::CalibAcc) || frame.id == number(CommandId::CalibGyro)
+                   || frame.id == number(CommandId::CalibMag)) {
             reader.skip(1);
             if (std::find(kRestarting.begin(), kRestarting.end(), reader.u8()) != kRestarting.end())
                 after = kAnnounced;

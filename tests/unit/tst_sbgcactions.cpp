@@ -93,6 +93,7 @@ private slots:
     void filesComeBack();
     void scriptsRun();
     void variablesTellAboutThemselves();
+    void calibrationsThatRestartAreKnown();
 };
 
 void TestSbgcActions::polesAndDirectionAreFound()
@@ -453,6 +454,20 @@ void TestSbgcActions::variablesTellAboutThemselves()
         replyRequest(CommandId::GetAdjVarsValF, hex("0100"), CommandId::SetAdjVarsValF, 6, 1));
     QVERIFY(value);
     QCOMPARE(value->payload.toHex(), QByteArray("010000001042"));
+}
+
+// By hand as well: whoever sends them is told that what the motors hold falls.
+void TestSbgcActions::calibrationsThatRestartAreKnown()
+{
+    Rig rig;
+    for (const CommandId id : {CommandId::CalibMag, CommandId::CalibAcc, CommandId::CalibGyro}) {
+        for (int action = 1; action <= 7; ++action) {
+            const QByteArray payload = ByteWriter().u8(1).u8(action).zeros(10).take();
+            const bool restarts = action == 2 || action == 4 || action == 5;
+            QCOMPARE(rig.device.restartNotice()->ordersReset(encodeFrame(number(id), payload)).has_value(),
+                     restarts);
+        }
+    }
 }
 
 QTEST_GUILESS_MAIN(TestSbgcActions)
