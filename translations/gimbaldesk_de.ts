@@ -3875,6 +3875,26 @@
         <source>The configuration text is written; waiting for the drone to restart</source>
         <translation>Der Konfigurationstext ist auf der Drohne; ihr Neustart wird abgewartet</translation>
     </message>
+    <message>
+        <source>The board turns the motors and measures them</source>
+        <translation>Das Board dreht die Motoren und misst sie</translation>
+    </message>
+    <message>
+        <source>Reading the board&apos;s memory</source>
+        <translation>Speicher des Boards wird gelesen</translation>
+    </message>
+    <message>
+        <source>Writing the board&apos;s memory</source>
+        <translation>Speicher des Boards wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Reading a file of the board</source>
+        <translation>Datei des Boards wird gelesen</translation>
+    </message>
+    <message>
+        <source>Writing a file of the board</source>
+        <translation>Datei des Boards wird geschrieben</translation>
+    </message>
 </context>
 <context>
     <name>EscCard</name>

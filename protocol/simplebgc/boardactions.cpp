@@ -78,7 +78,7 @@ Result<ActionReply> Actions::calibrateMotors(CommandId id, Block block,
     if (const auto sent = m_channel.transact(request); !sent)
         return tl::unexpected(sent.error());
     Progress progress;
-    progress.step = u"calibrate"_s;
+    progress.step = u"calibrate-motors"_s;
     progress.subject = commandName(number(id));
     progress.total = 100;
     bool isHeard = false;
@@ -187,11 +187,16 @@ Result<ActionReply> Actions::readSignals(const QVariantMap &)
         return tl::unexpected(frame.error());
     ByteReader reader(frame->payload);
     ActionReply reply;
+    QStringList silent;
     for (const QString &name : std::as_const(names)) {
         const int raw = reader.i16();
-        reply.insert(name,
-                     raw == kFineUndefined ? QVariant(u"no signal"_s) : QVariant(100.0 * raw / kFineFull));
+        if (raw == kFineUndefined)
+            silent.append(name);
+        else
+            reply.insert(name, 100.0 * raw / kFineFull);
     }
+    if (!silent.isEmpty())
+        reply.insert(u"no_signal"_s, silent.join(u", "_s));
     return reader.ok() ? Result<ActionReply>(reply) : failure(ErrorCode::BadReply, u"READ_RC_INPUTS"_s);
 }
 

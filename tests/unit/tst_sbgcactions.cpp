@@ -211,7 +211,8 @@ void TestSbgcActions::signalsAreRead()
     rig.board().store(u"rc.map.roll"_s, 0, 129);
     const auto nothing = rig.perform("signals");
     QVERIFY2(nothing, nothing ? "" : qPrintable(nothing.error().detail));
-    QCOMPARE(nothing->value(u"rc.map.roll"_s).toString(), u"no signal"_s);
+    QVERIFY(nothing->value(u"no_signal"_s).toString().contains(u"rc.map.roll"_s));
+    QVERIFY(!nothing->contains(u"rc.map.roll"_s));
     QVERIFY(rig.channel.transact(silentRequest(CommandId::ApiVirtChControl, hex("FA00"), 1)));
     std::ignore = rig.channel.sleep(50ms);
     QCOMPARE(rig.perform("signals")->value(u"rc.map.roll"_s).toDouble(), 50.0);

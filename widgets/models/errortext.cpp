@@ -521,6 +521,16 @@ QString describe(const Progress &progress)
         return Words::tr("Putting back %1").arg(subject);
     if (progress.step == u"calibrate"_s)
         return Words::tr("Calibrating: keep the camera absolutely still");
+    if (progress.step == u"calibrate-motors"_s)
+        return Words::tr("The board turns the motors and measures them");
+    if (progress.step == u"read-memory"_s)
+        return Words::tr("Reading the board's memory");
+    if (progress.step == u"write-memory"_s)
+        return Words::tr("Writing the board's memory");
+    if (progress.step == u"read-file"_s)
+        return Words::tr("Reading a file of the board");
+    if (progress.step == u"write-file"_s)
+        return Words::tr("Writing a file of the board");
     if (progress.step == u"calibrate-drone"_s)
         return Words::tr("Calibrating: leave the drone alone");
     if (progress.step == u"motor-test"_s)
