@@ -123,14 +123,7 @@ constexpr EntryEffect kCalibrationEntries[] = {
     {.value = 5, .risk = ActionRisk::Writes, .letsGo = true, .argument = "action"},
     {.value = 1, .risk = ActionRisk::Writes, .letsGo = true, .argument = "six"}};
 constexpr Choice kImuUsed[] = {{1, "main"}, {2, "frame"}};
-constexpr Choice kPinNames[] = {{1, "RC_ROLL"}, {2, "RC_PITCH"}, {3, "FC_ROLL"}, {4, "FC_PITCH"}, {5, "RC_YAW"}, {16, "AUX1"},
-                                {17, "AUX2"}, {18, "AUX3"}, {32, "buzzer"}, {33, "spektrum-power"}};
-constexpr Choice kPinStates[] = {{0, "low"}, {1, "high"}, {2, "floating"}};
 constexpr Choice kSetSlots[] = {{1, "1"}, {2, "2"}, {3, "3"}, {4, "4"}, {5, "5"}, {6, "backup"}};
-constexpr Choice kSetActions[] = {{1, "store"}, {2, "clear"}, {3, "load"}};
-constexpr Choice kFileTypes[] = {{1, "script"}, {3, "imu-calibration"}, {4, "cogging"}, {5, "look-up-table"}, {6, "profile-set"},
-                                 {7, "parameters"}, {8, "tuning"}, {10, "can-driver"}};
-constexpr Choice kScriptModes[] = {{0, "stop"}, {1, "start"}, {2, "debug"}};
 constexpr ArgumentSpec kSelectArguments[] = {
     {.key = "imu", .label = "Sensor", .kind = ArgumentKind::Choice, .choices = kImuUsed}};
 constexpr ArgumentSpec kPinArguments[] = {

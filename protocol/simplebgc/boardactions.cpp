@@ -7,6 +7,7 @@
 #include "protocol/session/carryout.h"
 #include "protocol/session/channel.h"
 #include "protocol/simplebgc/actions.h"
+#include "protocol/simplebgc/choices.h"
 #include "protocol/simplebgc/memoryimage.h"
 #include "protocol/simplebgc/messages.h"
 #include "protocol/simplebgc/parametertables.h"
@@ -435,11 +436,11 @@ Result<QByteArray> Actions::readFile(int type, int index)
 
 Error Actions::fileRefusal(int code)
 {
-    const auto words = findMessage(number(CommandId::ScriptDebug))->fromBoard->back().words;
-    const auto word = std::find_if(words.begin(), words.end(),
+    const auto word = std::find_if(std::begin(kFileCodes), std::end(kFileCodes),
                                    [code](const Choice &choice) { return choice.value == code; });
     return {ErrorCode::BoardError,
-            word == words.end() ? u"file error %1"_s.arg(code) : QString(QLatin1String(word->name)), code};
+            word == std::end(kFileCodes) ? u"file error %1"_s.arg(code) : QString(QLatin1String(word->name)),
+            code};
 }
 
 Result<void> Actions::putFile(int type, int index, const QByteArray &content)

@@ -117,4 +117,18 @@ inline constexpr Choice kSerialSpeeds[] = {{0, "115200"}, {1, "57600"}, {2, "384
 // clang-format on
 inline constexpr Choice kPorts[] = {{0, "Off"}, {1, "UART1"}, {2, "RC serial"}, {3, "UART2"}, {4, "USB"}};
 
+// Of commands, in the words of the command line (errata 3.20 to 3.23, 4.2).
+// clang-format off
+inline constexpr Choice kPinNames[] = {{1, "RC_ROLL"}, {2, "RC_PITCH"}, {3, "FC_ROLL"}, {4, "FC_PITCH"}, {5, "RC_YAW"}, {16, "AUX1"},
+                                {17, "AUX2"}, {18, "AUX3"}, {32, "buzzer"}, {33, "spektrum-power"}};
+inline constexpr Choice kPinStates[] = {{0, "low"}, {1, "high"}, {2, "floating"}};
+inline constexpr Choice kSetActions[] = {{1, "store"}, {2, "clear"}, {3, "load"}};
+inline constexpr Choice kFileTypes[] = {{1, "script"}, {3, "imu-calibration"}, {4, "cogging"}, {5, "look-up-table"}, {6, "profile-set"},
+                                 {7, "parameters"}, {8, "tuning"}, {10, "can-driver"}};
+inline constexpr Choice kScriptModes[] = {{0, "stop"}, {1, "start"}, {2, "debug"}};
+/// What is wrong with a file of the board (errata 3.18).
+inline constexpr Choice kFileCodes[] = {{0, "no error"}, {1, "EEPROM fault"}, {2, "file not found"}, {3, "FAT damaged"}, {4, "no free space"},
+    {5, "FAT full"}, {6, "wrong file size"}, {7, "CRC"}, {8, "limit reached"}, {9, "file corrupted"}, {10, "wrong parameters"}};
+// clang-format on
+
 }  // namespace simplebgc

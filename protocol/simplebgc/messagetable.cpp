@@ -80,15 +80,6 @@ constexpr Choice kTwoImus[] = {{1, "main"}, {2, "frame"}};
 constexpr Choice kImusFromZero[] = {{0, "main"}, {1, "frame"}};
 constexpr Choice kCalibrations[] = {{1, "normal"}, {2, "reset all"}, {3, "temperature"}, {4, "temperature on"}, {5, "temperature off"},
     {6, "restore factory"}, {7, "copy to sensor"}};
-constexpr Choice kPins[] = {{1, "RC_ROLL"}, {2, "RC_PITCH"}, {3, "FC_ROLL"}, {4, "FC_PITCH"}, {5, "RC_YAW"}, {16, "AUX1"}, {17, "AUX2"},
-    {18, "AUX3"}, {32, "buzzer"}, {33, "Spektrum power"}};
-constexpr Choice kLevels[] = {{0, "low"}, {1, "high"}, {2, "floating", kLater}};
-constexpr Choice kScriptModes[] = {{0, "stop"}, {1, "start"}, {2, "start with debug"}};
-constexpr Choice kFileTypes[] = {{1, "script"}, {3, "IMU calibration"}, {4, "cogging"}, {5, "variable look-up table"}, {6, "profile set"},
-    {7, "parameters"}, {8, "tuning"}, {10, "CAN driver"}};
-constexpr Choice kFileCodes[] = {{0, "no error"}, {1, "EEPROM fault"}, {2, "file not found"}, {3, "FAT damaged"}, {4, "no free space"},
-    {5, "FAT full"}, {6, "wrong file size"}, {7, "CRC"}, {8, "limit reached"}, {9, "file corrupted"}, {10, "wrong parameters"}};
-constexpr Choice kSetActions[] = {{1, "save"}, {2, "clear"}, {3, "load"}};
 constexpr Choice kParamsSet[] = {{0, "finish"}, {1, "start"}};
 constexpr Choice kStops[] = {{0, "free"}, {1, "brake"}, {2, "safe stop"}};
 constexpr Choice kRunDelete[] = {{1, "run"}, {2, "delete"}};
@@ -195,7 +186,7 @@ constexpr FieldSpec kAnglesExt[] = {perAxis(kAngleExtOf)};
 constexpr FieldSpec kGyroCorrection[] = {word("imu", U8, kImusFromZero), xyz("zero", S16, "", 0.001), number("heading", S16, "", 0.001)};
 constexpr FieldSpec kModule[] = {number("id", U8), number("board", U16), number("bootloader", U16), number("firmware", U16), reserved(6)};
 constexpr FieldSpec kModules[] = {number("count", U8), group("module", kModule, 0)};
-constexpr FieldSpec kPin[] = {word("pin", U8, kPins), word("state", U8, kLevels)};
+constexpr FieldSpec kPin[] = {word("pin", U8, kPinNames), word("state", U8, kPinStates)};
 constexpr FieldSpec kStream[] = {number("command", U8), number("interval", U16, "ms"), bytes("config", 8), number("sync", U8), reserved(9)};
 constexpr FieldSpec kCustomAsk[] = {number("flags", U32), reserved(6)};
 constexpr FieldSpec kCustom[] = {number("time", U16, "ms"), rest("fields")};

@@ -186,7 +186,7 @@ void TestSbgcMessages::framesAreWorded()
     };
     QCOMPARE(worded(84, "1001", false), u"pin 16 (AUX1), state 1 (high)"_s);
     QCOMPARE(worded(66, "d204", false), u"voltage 12.34 V"_s);
-    QCOMPARE(worded(57, "0204", false), u"mode 2 (start with debug), slot 4"_s);
+    QCOMPARE(worded(57, "0204", false), u"mode 2 (debug), slot 4"_s);
     QCOMPARE(worded(58, "110002", true), u"command 17, code 2 (file not found)"_s);
     QCOMPARE(worded(52, "0102", false), u"its layout is not public"_s);
     QCOMPARE(worded(200, "01", false), QString());
