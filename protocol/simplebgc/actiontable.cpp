@@ -141,8 +141,10 @@ constexpr ArgumentSpec kChannelArguments[] = {
 constexpr ArgumentSpec kSetArguments[] = {
     {.key = "action", .label = "What to do", .kind = ArgumentKind::Choice, .choices = kSetActions},
     {.key = "slot", .label = "Slot", .kind = ArgumentKind::Choice, .choices = kSetSlots}};
+// Of a slot that was in use before, and of what is loaded, the board tells nothing.
 constexpr EntryEffect kSetEntries[] = {
-    {.value = 3, .risk = ActionRisk::Destroys, .memory = MemoryEffect::Reloads, .letsGo = true, .argument = "action"}};
+    {.value = 1, .risk = ActionRisk::Destroys, .isShown = false, .argument = "action"},
+    {.value = 3, .risk = ActionRisk::Destroys, .memory = MemoryEffect::Reloads, .isShown = false, .letsGo = true, .argument = "action"}};
 constexpr ArgumentSpec kDataArguments[] = {{.key = "data", .label = "Bytes (hex)", .kind = ArgumentKind::Text}};
 constexpr ArgumentSpec kPathArguments[] = {{.key = "file", .label = "File", .kind = ArgumentKind::Text}};
 constexpr ArgumentSpec kRestoreArguments[] = {

@@ -507,6 +507,9 @@ Result<ActionReply> Actions::eraseFile(const QVariantMap &arguments)
     const auto back = readFile(type, index);
     if (back && !back->isEmpty())
         return failure(ErrorCode::NoEffect, u"the board still has the file"_s);
+    // Only its own word that there is none proves it.
+    if (!back && back.error().code != ErrorCode::BoardError)
+        return tl::unexpected(back.error());
     return ActionReply{};
 }
 

@@ -41,17 +41,18 @@ struct Rig : VirtualBoard
     QTemporaryDir dir;
 };
 
-/// A line that is cut after so many writes of memory.
+/// A line that is cut after so many commands of one kind.
 class CutLine final : public ChannelProxy
 {
 public:
     using ChannelProxy::ChannelProxy;
     Result<Frame> transact(const Request &request) override
     {
-        if (request.name == u"EEPROM_WRITE"_s && left-- <= 0)
+        if (request.name == cut && left-- <= 0)
             return failure(ErrorCode::LinkClosed, request.name);
         return ChannelProxy::transact(request);
     }
+    QString cut = u"EEPROM_WRITE"_s;
     int left = 99999;
 };
 
@@ -390,6 +391,16 @@ void TestSbgcActions::filesComeBack()
     QVERIFY2(loaded, loaded ? "" : qPrintable(loaded.error().detail));
     QVERIFY(rig.perform("file.save", back));
     QCOMPARE(fileBytes(rig.path(u"back"_s)), content);
+    // Whoever cannot look does not say that it is gone.
+    CutLine line(rig.channel);
+    line.cut = u"READ_FILE"_s;
+    line.left = 0;
+    const auto unseen = rig.device.perform(
+        line, u"file.erase"_s,
+        argumentsFor(rig.device, "file.erase", {{u"type"_s, u"script"_s}, {u"number"_s, u"1"_s}}));
+    QVERIFY(!unseen);
+    QCOMPARE(unseen.error().code, ErrorCode::LinkClosed);
+    QVERIFY(rig.perform("file.load", one));
     QVERIFY(rig.perform("file.erase", {{u"type"_s, u"script"_s}, {u"number"_s, u"1"_s}}));
     SAYS(rig.perform("file.save", back), u"file not found"_s);
     // More than there is room for.
