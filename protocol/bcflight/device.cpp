@@ -190,9 +190,8 @@ Result<BoardIdentity> Device::identify(Channel &channel)
     identity.firmware = version.isEmpty() ? u"?"_s : version;
     QString name;
     if (m_generation >= Generation::F) {
-        Request who = ask(Message::GetUsername);
-        who.retries = 2;
-        if (const auto reply = channel.transact(who))
+        // Asked as often as all else: a name that is lost on the way makes it look like another drone.
+        if (const auto reply = channel.transact(ask(Message::GetUsername)))
             name = textOf(*reply);
         else if (reply.error().code != ErrorCode::Timeout)
             return tl::unexpected(reply.error());

@@ -287,6 +287,7 @@ void TestBcflightWindow::checkedIsADroneThatIsKnown()
             && QTest::qWaitFor([&] { return !axesKey(m_rig->workspace()).isEmpty(); }, kPatience);
     };
     QVERIFY(connected());
+    const QString look = m_rig->client().identity().serial;
     CheckedDirections all;
     all.level = CheckedDirections::Level::All;
     keepDirections(m_rig->workspace(), all);
@@ -298,6 +299,7 @@ void TestBcflightWindow::checkedIsADroneThatIsKnown()
     keepDirections(m_rig->workspace(), all);
     m_rig->client().disconnectFromBoard();
     QVERIFY(connected());
+    QCOMPARE(m_rig->client().identity().serial, look);
     QTRY_COMPARE(checkedDirections(m_rig->workspace()), all);
     QVERIFY(m_rig->workspace().naming().choose(u"Another"_s));
     QCOMPARE(checkedDirections(m_rig->workspace()).level, CheckedDirections::Level::Nothing);

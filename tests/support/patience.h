@@ -8,10 +8,23 @@
 /// requirement. A loaded machine under sanitizers takes ten times as long as one that is free.
 inline constexpr int kPatience = 60000;
 
-// Qt's own are 5 s.
+// Qt's own wait 5 s, and ask again after the answer was yes: what swings, or is told for a moment, may be
+// gone by then.
+#undef QTRY_VERIFY_WITH_TIMEOUT
+#undef QTRY_VERIFY2_WITH_TIMEOUT
+#undef QTRY_COMPARE_WITH_TIMEOUT
 #undef QTRY_VERIFY
 #undef QTRY_VERIFY2
 #undef QTRY_COMPARE
+#define QTRY_VERIFY2_WITH_TIMEOUT(expression, message, timeout)                                              \
+    QVERIFY2(QTest::qWaitFor([&] { return bool(expression); }, timeout), message)
+#define QTRY_VERIFY_WITH_TIMEOUT(expression, timeout)                                                        \
+    QTRY_VERIFY2_WITH_TIMEOUT(expression, "never: " #expression, timeout)
+#define QTRY_COMPARE_WITH_TIMEOUT(actual, expected, timeout)                                                 \
+    do {                                                                                                     \
+        if (!QTest::qWaitFor([&] { return (actual) == (expected); }, timeout))                               \
+            QCOMPARE(actual, expected);                                                                      \
+    } while (false)
 #define QTRY_VERIFY(expression) QTRY_VERIFY_WITH_TIMEOUT((expression), kPatience)
 #define QTRY_VERIFY2(expression, message) QTRY_VERIFY2_WITH_TIMEOUT((expression), (message), kPatience)
 #define QTRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT((actual), expected, kPatience)
