@@ -227,6 +227,46 @@
         <source>Errors</source>
         <translation>Fehler</translation>
     </message>
+    <message>
+        <source>Bytes (hex)</source>
+        <translation>Bytes (hex)</translation>
+    </message>
+    <message>
+        <source>Devices that answer</source>
+        <translation>Geräte, die antworten</translation>
+    </message>
+    <message>
+        <source>Rows left out because they were late</source>
+        <translation>Zeilen, die zu spät waren und ausgelassen wurden</translation>
+    </message>
+    <message>
+        <source>Without a signal</source>
+        <translation>Ohne Signal</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>In use only after a restart</source>
+        <translation>Erst nach einem Neustart in Gebrauch</translation>
+    </message>
+    <message>
+        <source>Rows sent</source>
+        <translation>Gesendete Zeilen</translation>
+    </message>
+    <message>
+        <source>The board has fallen silent</source>
+        <translation>Das Board ist verstummt</translation>
+    </message>
+    <message>
+        <source>Bytes written</source>
+        <translation>Geschriebene Bytes</translation>
+    </message>
+    <message>
+        <source>Last command</source>
+        <translation>Letzter Befehl</translation>
+    </message>
 </context>
 <context>
     <name>AdjustableModel</name>
@@ -3895,6 +3935,18 @@
         <source>Writing a file of the board</source>
         <translation>Datei des Boards wird geschrieben</translation>
     </message>
+    <message>
+        <source>Asking each address of the bus</source>
+        <translation>Jede Adresse des Busses wird gefragt</translation>
+    </message>
+    <message>
+        <source>Sending the rows of the file, each at its time</source>
+        <translation>Die Zeilen der Datei werden gesendet, jede zu ihrer Zeit</translation>
+    </message>
+    <message>
+        <source>Script %1 runs: command %2</source>
+        <translation>Skript %1 läuft: Befehl %2</translation>
+    </message>
 </context>
 <context>
     <name>EscCard</name>
@@ -6721,6 +6773,10 @@
         <source>Black box</source>
         <translation>Blackbox</translation>
     </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
 </context>
 <context>
     <name>ParameterModel</name>
@@ -8657,6 +8713,49 @@ dieses zeigen.</translation>
             <numerusform>mit %n ungeschriebener Änderung</numerusform>
             <numerusform>mit %n ungeschriebenen Änderungen</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>SignalsPage</name>
+    <message>
+        <source>Trigger slot %1</source>
+        <translation>Auslöser %1</translation>
+    </message>
+    <message>
+        <source>Variable slot %1</source>
+        <translation>Variablenplatz %1</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>What is steered by which input</source>
+        <translation>Was welcher Eingang steuert</translation>
+    </message>
+    <message>
+        <source>What comes in now</source>
+        <translation>Was jetzt ankommt</translation>
+    </message>
+    <message>
+        <source>sets %1</source>
+        <translation>stellt %1</translation>
+    </message>
+    <message>
+        <source>No slot is in use. What slots do is set under Parameters, “Trigger slots” and “Variable slots”.</source>
+        <translation>Kein Platz ist in Gebrauch. Was Plätze tun, wird unter Parameter eingestellt, „Auslöser“ und „Variablenplätze“.</translation>
+    </message>
+    <message>
+        <source>What slots do is set under Parameters, “Trigger slots” and “Variable slots”.</source>
+        <translation>Was Plätze tun, wird unter Parameter eingestellt, „Auslöser“ und „Variablenplätze“.</translation>
+    </message>
+    <message>
+        <source>no signal</source>
+        <translation>kein Signal</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>
@@ -11895,22 +11994,6 @@ Spitze %2°</translation>
     <message>
         <source>Raster of positions the axis snaps to.</source>
         <translation>Raster der Lagen, in die die Achse einrastet.</translation>
-    </message>
-    <message>
-        <source>Rate and content of this MAVLink channel.</source>
-        <translation>Rate und Inhalt dieses MAVLink-Kanals.</translation>
-    </message>
-    <message>
-        <source>Rate bit 0</source>
-        <translation>Rate Bit 0</translation>
-    </message>
-    <message>
-        <source>Rate bit 1</source>
-        <translation>Rate Bit 1</translation>
-    </message>
-    <message>
-        <source>Rate bit 2</source>
-        <translation>Rate Bit 2</translation>
     </message>
     <message>
         <source>Rate inside the dead band</source>
@@ -17823,6 +17906,146 @@ Spitze %2°</translation>
     <message>
         <source>Slot %1: variable</source>
         <translation>Platz %1: Variable</translation>
+    </message>
+    <message>
+        <source>Address (7 bits)</source>
+        <translation>Adresse (7 Bit)</translation>
+    </message>
+    <message>
+        <source>Bus</source>
+        <translation>Bus</translation>
+    </message>
+    <message>
+        <source>Buses</source>
+        <translation>Busse</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>Bytes</translation>
+    </message>
+    <message>
+        <source>Feed from a file</source>
+        <translation>Aus einer Datei einspeisen</translation>
+    </message>
+    <message>
+        <source>Finds the devices on an I2C bus of the board.</source>
+        <translation>Findet die Geräte an einem I2C-Bus des Boards.</translation>
+    </message>
+    <message>
+        <source>I know this device and what the register does</source>
+        <translation>Ich kenne dieses Gerät und weiß, was das Register bewirkt</translation>
+    </message>
+    <message>
+        <source>Motors go off, and the board waits for firmware from the maker&apos;s program. This program has none and cannot end it: only switching the board off and on does.</source>
+        <translation>Die Motoren gehen aus, und das Board wartet auf Firmware aus dem Programm des Herstellers. Dieses Programm hat keine und kann das nicht beenden: nur Aus- und Einschalten des Boards kann es.</translation>
+    </message>
+    <message>
+        <source>Read attitude vectors</source>
+        <translation>Lagevektoren lesen</translation>
+    </message>
+    <message>
+        <source>Read registers</source>
+        <translation>Register lesen</translation>
+    </message>
+    <message>
+        <source>Read slots</source>
+        <translation>Plätze lesen</translation>
+    </message>
+    <message>
+        <source>Reads registers of a device on an I2C bus. Some devices change by being read.</source>
+        <translation>Liest Register eines Geräts an einem I2C-Bus. Manche Geräte ändern sich, wenn sie gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Register</translation>
+    </message>
+    <message>
+        <source>Search a bus</source>
+        <translation>Einen Bus absuchen</translation>
+    </message>
+    <message>
+        <source>Sends rows of a CSV file at their time: what a flight controller tells of the frame (helper), a correction of the gyroscope (gyro), or the attitude of another sensor (attitude).</source>
+        <translation>Sendet Zeilen einer CSV-Datei zu ihrer Zeit: was ein Flugregler vom Rahmen meldet (helper), eine Korrektur des Gyroskops (gyro) oder die Lage eines anderen Sensors (attitude).</translation>
+    </message>
+    <message>
+        <source>Start the boot loader</source>
+        <translation>Bootloader starten</translation>
+    </message>
+    <message>
+        <source>The board can be switched off and on</source>
+        <translation>Das Board lässt sich aus- und einschalten</translation>
+    </message>
+    <message>
+        <source>Virtual channels (1 roll, 2 pitch, 3 yaw)</source>
+        <translation>Virtuelle Kanäle (1 Roll, 2 Nick, 3 Gier)</translation>
+    </message>
+    <message>
+        <source>What comes in at the slots of adjustable variables and menu commands, and what it sets.</source>
+        <translation>Was an den Plätzen für Variablen und Menübefehle ankommt, und was es stellt.</translation>
+    </message>
+    <message>
+        <source>What the file holds</source>
+        <translation>Was die Datei enthält</translation>
+    </message>
+    <message>
+        <source>Where gravity and north are, as a sensor sees them.</source>
+        <translation>Wo Schwerkraft und Norden sind, wie ein Sensor sie sieht.</translation>
+    </message>
+    <message>
+        <source>Write registers</source>
+        <translation>Register schreiben</translation>
+    </message>
+    <message>
+        <source>Writes registers of a device on an I2C bus. A sensor that was set up otherwise misleads the board.</source>
+        <translation>Schreibt Register eines Geräts an einem I2C-Bus. Ein Sensor, der anders eingestellt wurde, führt das Board in die Irre.</translation>
+    </message>
+    <message>
+        <source>attitude</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>gyro</source>
+        <translation>Gyroskop</translation>
+    </message>
+    <message>
+        <source>helper</source>
+        <translation>Hilfsdaten</translation>
+    </message>
+    <message>
+        <source>internal</source>
+        <translation>innen</translation>
+    </message>
+    <message>
+        <source>sensors</source>
+        <translation>Sensoren</translation>
+    </message>
+    <message>
+        <source>Content of this MAVLink channel.</source>
+        <translation>Inhalt dieses MAVLink-Kanals.</translation>
+    </message>
+    <message>
+        <source>List scripts</source>
+        <translation>Skripte auflisten</translation>
+    </message>
+    <message>
+        <source>MAVLink channel %1: rate</source>
+        <translation>MAVLink-Kanal %1: Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Rate of the port while this MAVLink channel uses it.</source>
+        <translation>Geschwindigkeit des Anschlusses, solange dieser MAVLink-Kanal ihn benutzt.</translation>
+    </message>
+    <message>
+        <source>Run script and follow it</source>
+        <translation>Skript starten und verfolgen</translation>
+    </message>
+    <message>
+        <source>Starts a script and tells each command that the board carries out. Cancel stops the script.</source>
+        <translation>Startet ein Skript und nennt jeden Befehl, den das Board ausführt. Abbrechen hält das Skript an.</translation>
+    </message>
+    <message>
+        <source>The slots that hold a script, with its size.</source>
+        <translation>Die Plätze, die ein Skript enthalten, mit seiner Größe.</translation>
     </message>
 </context>
 <context>

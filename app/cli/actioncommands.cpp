@@ -411,6 +411,30 @@ protected:
     QStringList given() const override { return {u"file="_s + arguments().first()}; }
 };
 
+class FeedCommand final : public ActionCommand
+{
+public:
+    using ActionCommand::ActionCommand;
+    const char *name() const override { return "feed"; }
+    const char *words() const override { return "helper|gyro|attitude FILE"; }
+    QString help() const override
+    {
+        return u"send the board what other sensors see: rows of a CSV file with \"time\" and the fields of "
+               u"the "
+               "message, each at its time"_s;
+    }
+    const char *example() const override { return "--link serial:/dev/ttyUSB0 feed helper frame.csv"; }
+    bool moves() const override { return true; }
+    QString check() const override
+    {
+        return arguments().size() == 2 ? QString() : u"feed needs what it is and a file"_s;
+    }
+
+protected:
+    QString actionKey() const override { return u"feed"_s; }
+    QStringList given() const override { return {u"what="_s + arguments()[0], u"file="_s + arguments()[1]}; }
+};
+
 class AutotuneCommand final : public ActionCommand
 {
 public:
@@ -550,6 +574,6 @@ private:
 
 Commands actionCommands(const CommandContext &context)
 {
-    return makeCommands<DoCommand, CalibrateCommand, MotorTestCommand, UploadCommand, AutotuneCommand,
-                        MotorsCommand, StreamsCommand>(context);
+    return makeCommands<DoCommand, CalibrateCommand, MotorTestCommand, UploadCommand, FeedCommand,
+                        AutotuneCommand, MotorsCommand, StreamsCommand>(context);
 }

@@ -99,6 +99,8 @@ private:
             array.append(QJsonObject{{u"name"_s, text.name},
                                      {u"fields"_s, text.fields},
                                      {u"bytes"_s, QString::fromLatin1(frame->payload.toHex(' '))}});
+            if (text.isRefusal)
+                outcome.exitCode = Refused;
             until = std::min(until, channel.now() + kQuiet);
         }
         outcome.json = QJsonObject{{u"command"_s, name}, {u"answers"_s, array}};

@@ -11,6 +11,7 @@
 #if GIMBAL_WITH_SIMPLEBGC
 #include "app/families/simplebgc/autotunepage.h"
 #include "app/families/simplebgc/calibrationpage.h"
+#include "app/families/simplebgc/signalspage.h"
 #endif
 #if GIMBAL_WITH_STORM32
 #include "app/families/storm32/sensorpage.h"
@@ -32,6 +33,7 @@ QList<PageEntry> familyPages()
 #if GIMBAL_WITH_SIMPLEBGC
     pages += {
         {"calibration", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<CalibrationPage>, nullptr, "simplebgc", "profiles"},
+        {"signals", QT_TRANSLATE_NOOP("Pages", "Signals"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<SignalsPage>, nullptr, "simplebgc", "calibration"},
         {"autotune", QT_TRANSLATE_NOOP("Pages", "Auto-tune"), QT_TRANSLATE_NOOP("Pages", "Tune"), makePage<AutoTunePage>, nullptr, "simplebgc", "response"},
     };
 #endif

@@ -221,6 +221,7 @@ struct FrameText
 {
     QString name;  ///< "READ_PARAMS_3"
     QString fields;  ///< "profile 1, pid.roll.p 15"
+    bool isRefusal = false;  ///< the board does not do what it was told
 };
 
 /// A command typed by hand.

@@ -88,6 +88,15 @@ const Actions::Entry Actions::kHandlers[] = {
     {"file.load", &Actions::loadFile},
     {"file.erase", &Actions::eraseFile},
     {"script", &Actions::runScript},
+    {"script.list", &Actions::listScripts},
+    {"script.follow", &Actions::followScript},
+    {"slots.read", &Actions::readSlots},
+    {"attitude", &Actions::readAttitude},
+    {"feed", &Actions::feed},
+    {"i2c.scan", &Actions::i2cScan},
+    {"i2c.read", &Actions::i2cReadRegisters},
+    {"i2c.write", &Actions::i2cWriteRegisters},
+    {"bootloader", &Actions::enterBootLoader},
     {"defaults", &Actions::useDefaults},
 };
 // clang-format on

@@ -71,11 +71,24 @@ private:
     Result<ActionReply> loadFile(const QVariantMap &arguments);
     Result<ActionReply> eraseFile(const QVariantMap &arguments);
     Result<ActionReply> runScript(const QVariantMap &arguments);
+    Result<ActionReply> readSlots(const QVariantMap &arguments);
+    // expertactions.cpp
+    Result<ActionReply> i2cScan(const QVariantMap &arguments);
+    Result<ActionReply> i2cReadRegisters(const QVariantMap &arguments);
+    Result<ActionReply> i2cWriteRegisters(const QVariantMap &arguments);
+    Result<ActionReply> enterBootLoader(const QVariantMap &arguments);
+    Result<ActionReply> readAttitude(const QVariantMap &arguments);
+    Result<ActionReply> feed(const QVariantMap &arguments);
+    Result<ActionReply> listScripts(const QVariantMap &arguments);
+    Result<ActionReply> followScript(const QVariantMap &arguments);
     Result<ActionReply> useDefaults(const QVariantMap &arguments);
 
     /// Runs a calibration that finds parameters of this block, and tells them; "%1" in the keys is the axis.
     Result<ActionReply> calibrateMotors(CommandId id, Block block, std::initializer_list<const char *> keys);
     Result<QByteArray> externalData();
+    /// Registers of a device on a bus; asked once. Errors: Timeout or BoardError where nobody is there, those
+    /// of the link.
+    Result<QByteArray> i2cRead(int bus, int device, int reg, int length);
     /// The first bytes of the board's memory. Errors: BadReply, those of the link.
     Result<QByteArray> readMemory(int size);
     /// A file of the board. Errors: BoardError with the board's code, BadReply, those of the link.

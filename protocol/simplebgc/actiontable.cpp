@@ -157,6 +157,20 @@ constexpr ArgumentSpec kFileArguments[] = {
 constexpr ArgumentSpec kScriptArguments[] = {
     {.key = "mode", .label = "What to do", .kind = ArgumentKind::Choice, .choices = kScriptModes, .defaultText = "start"},
     {.key = "slot", .label = "Slot", .kind = ArgumentKind::Integer, .min = 1, .max = 10, .defaultText = "1"}};
+constexpr Choice kBuses[] = {{0, "sensors"}, {1, "internal"}};
+constexpr ArgumentSpec kBusArguments[] = {
+    {.key = "bus", .label = "Bus", .kind = ArgumentKind::Choice, .choices = kBuses, .defaultText = "sensors"},
+    {.key = "device", .label = "Address (7 bits)", .kind = ArgumentKind::Integer, .min = 8, .max = 119},
+    {.key = "register", .label = "Register", .kind = ArgumentKind::Integer, .min = 0, .max = 255},
+    {.key = "length", .label = "Bytes", .kind = ArgumentKind::Integer, .min = 1, .max = kMostI2c, .defaultText = "1"}};
+constexpr ArgumentSpec kBusWriteArguments[] = {
+    kBusArguments[0], kBusArguments[1], kBusArguments[2], {.key = "data", .label = "Bytes (hex)", .kind = ArgumentKind::Text}};
+constexpr Choice kFed[] = {{72, "helper"}, {75, "gyro"}, {56, "attitude"}};
+constexpr ArgumentSpec kFeedArguments[] = {
+    {.key = "what", .label = "What the file holds", .kind = ArgumentKind::Choice, .choices = kFed},
+    {.key = "file", .label = "File", .kind = ArgumentKind::Text}};
+constexpr ArgumentSpec kAttitudeArguments[] = {
+    {.key = "imu", .label = "Sensor", .kind = ArgumentKind::Choice, .choices = kImuUsed, .defaultText = "main"}};
 constexpr ArgumentSpec kBatteryArguments[] = {
     {.key = "voltage", .label = "Measured voltage", .kind = ArgumentKind::Real, .min = 3, .max = 60, .unit = "V"}};
 constexpr ArgumentSpec kAutoTuneArguments[] = {
@@ -180,6 +194,7 @@ constexpr ReplyUnit kAngleUnits[] = {{"speed", "°/s"}, {"imu", "°"}, {"target"
 constexpr ReplyUnit kStillnessUnits[] = {{"gyro", "°/s"}, {"acc", "g"}};
 constexpr ReplyUnit kBatteryUnits[] = {{"voltage", "V"}};
 constexpr ReplyUnit kSignalUnits[] = {{"map", "%"}};
+constexpr ReplyUnit kSlotUnits[] = {{"signal", "%"}};
 constexpr ReplyUnit kStatisticsUnits[] = {
     {"shock", "g"}, {"work", "s"}, {"max", "mA"}, {"temperature1", "°C"}, {"temperature2", "°C"}, {"temperature3", "°C"}, {"temperature4", "°C"},
     {"time", "s"}, {"energy", "Wh"}, {"average", "A"}};
@@ -274,6 +289,31 @@ constexpr ActionSpec kActions[] = {
      .group = "Memory", .risk = ActionRisk::Destroys, .arguments = std::span(kFileArguments).first(2)},
     {.key = "script", .label = "Run script", .help = "Starts or stops a script that is in the board.", .group = "Motion",
      .risk = ActionRisk::Moves, .arguments = kScriptArguments, .isShown = false},
+    {.key = "script.list", .label = "List scripts", .help = "The slots that hold a script, with its size.", .group = "Read",
+     .units = kByteUnits},
+    {.key = "script.follow", .label = "Run script and follow it",
+     .help = "Starts a script and tells each command that the board carries out. Cancel stops the script.", .group = "Motion",
+     .risk = ActionRisk::Moves, .arguments = std::span(kScriptArguments).subspan(1), .isProcedure = true, .isShown = false},
+    {.key = "slots.read", .label = "Read slots", .help = "What comes in at the slots of adjustable variables and menu commands, and what it sets.",
+     .group = "Signals", .units = kSlotUnits},
+    {.key = "attitude", .label = "Read attitude vectors", .help = "Where gravity and north are, as a sensor sees them.", .group = "Read",
+     .arguments = kAttitudeArguments},
+    {.key = "feed", .label = "Feed from a file",
+     .help = "Sends rows of a CSV file at their time: what a flight controller tells of the frame (helper), a correction of the gyroscope "
+             "(gyro), or the attitude of another sensor (attitude).",
+     .group = "Signals", .risk = ActionRisk::Moves, .arguments = kFeedArguments, .isProcedure = true, .answered = false},
+    {.key = "i2c.scan", .label = "Search a bus", .help = "Finds the devices on an I2C bus of the board.", .group = "Buses",
+     .arguments = std::span(kBusArguments).first(1), .isProcedure = true},
+    {.key = "i2c.read", .label = "Read registers", .help = "Reads registers of a device on an I2C bus. Some devices change by being read.",
+     .group = "Buses", .risk = ActionRisk::Writes, .arguments = kBusArguments},
+    {.key = "i2c.write", .label = "Write registers",
+     .help = "Writes registers of a device on an I2C bus. A sensor that was set up otherwise misleads the board.", .group = "Buses",
+     .risk = ActionRisk::Destroys, .arguments = kBusWriteArguments,
+     .confirm = "I know this device and what the register does"},
+    {.key = "bootloader", .label = "Start the boot loader",
+     .help = "Motors go off, and the board waits for firmware from the maker's program. This program has none and cannot end it: only "
+             "switching the board off and on does.",
+     .group = "Board", .risk = ActionRisk::Destroys, .confirm = "The board can be switched off and on", .letsGo = true},
     {.key = "reset", .label = "Restart board", .help = "Restarts the controller; motors go off, and may start by themselves afterwards.",
      .group = "Board", .risk = ActionRisk::Moves, .arguments = kResetArguments, .units = kResetUnits,
      .isShown = false, .letsGo = true},

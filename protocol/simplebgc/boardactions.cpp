@@ -6,6 +6,7 @@
 #include "protocol/base/hexbytes.h"
 #include "protocol/session/carryout.h"
 #include "protocol/session/channel.h"
+#include "protocol/session/controlstream.h"
 #include "protocol/simplebgc/actions.h"
 #include "protocol/simplebgc/choices.h"
 #include "protocol/simplebgc/memoryimage.h"
@@ -32,7 +33,6 @@ constexpr int kUsedImuOffset = 58;  // of REALTIME_DATA_3
 constexpr int kUndefinedSignal = -10000;
 constexpr int kFineUndefined = -32768;
 constexpr double kFineFull = 16384;
-constexpr int kVirtualChannels = 31;  // 32 of them cannot be a source (errata 4.3)
 constexpr int kMemoryStep = 192;  // bytes: the largest piece (errata 3.21)
 constexpr int kMemoryUnit = 64;
 constexpr int kFilePage = 64;
@@ -201,30 +201,21 @@ Result<ActionReply> Actions::readSignals(const QVariantMap &)
     return reader.ok() ? Result<ActionReply>(reply) : failure(ErrorCode::BadReply, u"READ_RC_INPUTS"_s);
 }
 
-// Given again and again, as a stick is; at the end nobody gives it any more, which the board treats as a
-// signal that is lost.
+// Given again and again, as a stick is; at the end, however it comes, nobody gives it any more, which the
+// board treats as a signal that is lost.
 Result<ActionReply> Actions::setChannel(const QVariantMap &arguments)
 {
-    const int channel = arguments.value(u"channel"_s).toInt();
-    const double value = arguments.value(u"value"_s).toDouble();
+    std::vector<double> signal(std::size_t(arguments.value(u"channel"_s).toInt()), std::nan(""));
+    signal.back() = arguments.value(u"value"_s).toDouble();
+    const ControlFrames frames = Device::channelFrames(signal);
     const TimePoint end = m_channel.now() + durationFromSeconds(arguments.value(u"seconds"_s).toDouble());
-    const auto give = [&](int raw) {
-        ByteWriter writer;
-        for (int i = 1; i <= kVirtualChannels; ++i)
-            writer.i16(i == channel ? raw : kUndefinedSignal);
-        return m_channel.transact(
-            silentRequest(CommandId::ApiVirtChControl, writer.take(), Device::kVersion));
-    };
     Result<void> slept;
     while (slept && m_channel.now() < end) {
-        if (const auto sent = give(int(std::lround(5 * value))); !sent)
-            return tl::unexpected(sent.error());
+        m_channel.steer(frames);
         slept = m_channel.sleep(kChannelPeriod);
     }
-    const auto released = give(kUndefinedSignal);
-    if (!slept)
-        return tl::unexpected(slept.error());
-    return released ? Result<ActionReply>(ActionReply{}) : tl::unexpected(released.error());
+    m_channel.releaseControl();
+    return slept.map([] { return ActionReply(); });
 }
 
 Result<ActionReply> Actions::readStatistics(const QVariantMap &)
@@ -395,7 +386,7 @@ Result<ActionReply> Actions::restoreMemory(const QVariantMap &arguments)
             ErrorCode::NoEffect,
             u"from address %1 on the board holds other bytes than were written"_s.arg(wrong - back->begin()));
     }
-    return ActionReply{{u"written"_s, written}, {u"restart"_s, u"needed"_s}};
+    return ActionReply{{u"written"_s, written}, {u"restart_needed"_s, true}};
 }
 
 // --- files ---
@@ -511,6 +502,68 @@ Result<ActionReply> Actions::eraseFile(const QVariantMap &arguments)
     if (!back && back.error().code != ErrorCode::BoardError)
         return tl::unexpected(back.error());
     return ActionReply{};
+}
+
+// One trigger slot and one analog slot are asked together (errata 3.15).
+Result<ActionReply> Actions::readSlots(const QVariantMap &)
+{
+    const auto config = m_device.readBlock(m_channel, {0, AdjVarsCfg});
+    if (!config)
+        return tl::unexpected(config.error());
+    const bool isBySource = m_device.m_identity.firmwareNumber >= kSlotStateBySource;
+    const auto value = [&](const QString &key) {
+        const ParameterSpec *spec = m_device.m_parameters->find(key);
+        return spec ? int(spec->read(*config).value_or(0)) : 0;
+    };
+    ActionReply reply;
+    QStringList silent;
+    const auto tellSignal = [&](const QString &name, int raw) {
+        if (raw == (isBySource ? kFineUndefined : kUndefinedSignal))
+            silent.append(name);
+        else
+            reply.insert(name + u".signal"_s, isBySource ? 100.0 * raw / kFineFull : raw / 5.0);
+    };
+    for (int slot = 0; slot < kAnalogSlots; ++slot) {
+        const QString trigger = u"trigger%1"_s.arg(slot + 1);
+        const QString analog = u"analog%1"_s.arg(slot + 1);
+        const bool hasTrigger = slot < kTriggerSlots && value(u"slot."_s + trigger + u".source"_s) != 0;
+        const int source = value(u"slot."_s + analog + u".source"_s);
+        if (!hasTrigger && source == 0)
+            continue;
+        ByteWriter question;
+        question.u8(std::min(slot, kTriggerSlots - 1));
+        if (isBySource)
+            question.u16(source).u8(value(u"slot."_s + analog + u".variable"_s)).zeros(3);
+        else
+            question.u8(slot);
+        const auto frame = m_channel.transact(replyRequest(CommandId::AdjVarsState, question.take(),
+                                                           CommandId::AdjVarsState, 15, Device::kVersion));
+        if (!frame)
+            return tl::unexpected(frame.error());
+        ByteReader reader(frame->payload);
+        const int stick = reader.i16();
+        const int action = reader.u8();
+        const int signal = reader.i16();
+        const double number = isBySource ? double(reader.f32()) : double(reader.i32());
+        if (!reader.ok())
+            return failure(ErrorCode::BadReply, u"ADJ_VARS_STATE"_s);
+        if (hasTrigger) {
+            const auto word = std::find_if(std::begin(kMenuActions), std::end(kMenuActions),
+                                           [action](const Choice &each) { return each.value == action; });
+            tellSignal(trigger, stick);
+            reply.insert(trigger + u".action"_s,
+                         word == std::end(kMenuActions) ? QString::number(action)
+                                                        : QString::fromUtf8(word->name));
+        }
+        if (source != 0) {
+            tellSignal(analog, signal);
+            reply.insert(analog + u".value"_s, number);
+        }
+    }
+    if (!silent.isEmpty())
+        reply.insert(u"no_signal"_s, silent.join(u", "_s));
+    return reply.isEmpty() ? failure(ErrorCode::ConditionUnmet, u"no slot has a signal"_s)
+                           : Result<ActionReply>(reply);
 }
 
 Result<ActionReply> Actions::runScript(const QVariantMap &arguments)

@@ -9,6 +9,8 @@
 /// Choice lists shared by the parameter tables (document "Variables description and range", errata 4).
 namespace simplebgc {
 
+inline constexpr int kMostI2c = 64;  ///< bytes that one command reads or writes on a bus
+
 // clang-format off
 inline constexpr Choice kMenuActions[] = {
     {0, "No action"}, {1, "Use profile 1"}, {2, "Use profile 2"}, {3, "Use profile 3"}, {14, "Use profile 4"},

@@ -90,6 +90,7 @@ public:
     [[nodiscard]] SteeringSetpoint holdingSetpoint(int mode, const LatestValues &latest,
                                                    SteeredBefore steeredBefore) const override;
     [[nodiscard]] ControlFrames controlFrames(const SteeringSetpoint &setpoint) const override;
+    [[nodiscard]] static ControlFrames channelFrames(const std::vector<double> &percents);
 
     [[nodiscard]] const MotorSwitch *motorSwitch() const override { return this; }
     Result<void> switchMotorsOn(Channel &channel) const override;

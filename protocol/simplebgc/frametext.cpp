@@ -303,6 +303,7 @@ FrameText describeFrame(const FrameView &frame, bool fromBoard, const ParameterS
     text.name = id == CommandId::Control ? (fromBoard ? u"CONFIRM"_s : u"CONTROL"_s) : commandName(frame.id);
     text.fields = fromBoard ? fromBoardText(id, frame.payload, parameters)
                             : toBoardText(id, frame.payload, parameters);
+    text.isRefusal = fromBoard && id == CommandId::Error;
     return text;
 }
 

@@ -27,6 +27,8 @@ inline constexpr std::array<const char *, 6> kSignalKeys{"rc.map.roll", "rc.map.
 
 inline constexpr int kTriggerSlots = 10;
 inline constexpr int kAnalogSlots = 15;
+/// Firmware from which ADJ_VARS_STATE is asked by source instead of by slot (errata 3.15).
+inline constexpr int kSlotStateBySource = 2625;
 
 // clang-format off
 inline constexpr BlockSpec kBlocks[] = {

@@ -4,6 +4,7 @@
 
 #include "protocol/simplebgc/units.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
@@ -403,6 +404,18 @@ QByteArray encodeBeep(int mode, int noteLength, int decay, const QList<int> &not
     writer.u16(mode).u8(noteLength).u8(decay).zeros(8);
     for (const int note : notes)
         writer.u16(note);
+    return writer.take();
+}
+
+QByteArray encodeChannels(const std::vector<double> &percents)
+{
+    constexpr std::size_t kChannels = 31;
+    constexpr int kNobody = -10000;
+    ByteWriter writer;
+    for (std::size_t i = 0; i < kChannels; ++i) {
+        const bool isGiven = i < percents.size() && !std::isnan(percents[i]);
+        writer.i16(isGiven ? int(std::lround(5 * std::clamp(percents[i], -100.0, 100.0))) : kNobody);
+    }
     return writer.take();
 }
 

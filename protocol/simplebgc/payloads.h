@@ -189,4 +189,8 @@ struct DataStream
 /// BEEP_SOUND (errata 3.20): 12 bytes, plus two per note.
 [[nodiscard]] QByteArray encodeBeep(int mode, int noteLength, int decay, const QList<int> &notes);
 
+/// Channels of API_VIRT_CH_CONTROL in percent of their way (errata 3.23); those that are NaN or behind the
+/// last one are given by nobody. 31 are sent: of 32 the last cannot be a source (errata 4.3).
+[[nodiscard]] QByteArray encodeChannels(const std::vector<double> &percents);
+
 }  // namespace simplebgc

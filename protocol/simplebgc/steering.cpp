@@ -27,9 +27,13 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFullRc = 500.0;  // of mode RC, in either direction from the middle
 constexpr double kFullFineRc = 16384.0;
 constexpr std::array kLabels{"Roll", "Pitch", "Yaw"};
+constexpr std::array kVirtualChannels{std::pair("channel1", "Channel 1"), std::pair("channel2", "Channel 2"),
+                                      std::pair("channel3", "Channel 3"), std::pair("channel4", "Channel 4"),
+                                      std::pair("channel5", "Channel 5"), std::pair("channel6", "Channel 6"),
+                                      std::pair("channel7", "Channel 7"), std::pair("channel8", "Channel 8")};
 constexpr double kRcMiddle = 1500.0;  // as REALTIME_DATA reports the inputs
 
-enum class Kind { Rate, Place, Signal };
+enum class Kind { Rate, Place, Signal, Channels };
 
 struct ModeRow
 {
@@ -50,12 +54,19 @@ constexpr ModeRow kModes[] = {
     {AngleRelFrame, "angle-frame", "Angle relative to frame", Kind::Place, 720, 0},
     {RcHighRes, "rc-fine", "As RC signal, fine", Kind::Signal, kFullFineRc, 2662},
     {AngleShortest, "angle-shortest", "Angle, shortest way", Kind::Place, 720, 2707},
+    {kVirtualChannelMode, "channels", "Virtual channels (1 roll, 2 pitch, 3 yaw)", Kind::Channels, 100, 0},
 };
 // clang-format on
 
 SteeringMode modeOf(const ModeRow &row)
 {
     SteeringMode mode{row.id, row.key, row.label, {}};
+    if (row.kind == Kind::Channels) {
+        for (std::size_t i = 0; i < kVirtualChannels.size(); ++i)
+            mode.inputs.push_back({kVirtualChannels[i].first, kVirtualChannels[i].second,
+                                   i < kAxes.size() ? kAxes[i] : Axis::None, "%", -row.reach, row.reach});
+        return mode;
+    }
     const bool rate = row.kind == Kind::Rate;
     const char *unit = rate ? "°/s" : row.kind == Kind::Place ? "°" : "";
     // The highest count of an angle is one short of two turns.
@@ -72,7 +83,8 @@ double holdingValue(int mode, std::size_t axis, const LatestValues &latest)
 {
     const auto value = [&](int first) { return double(latest.latest(first + int(axis))); };
     switch (mode) {
-    case Speed: return 0.0;
+    case Speed:
+    case kVirtualChannelMode: return 0.0;
     case Rc:
     case RcHighRes: {
         const double signal = value(RcRoll) - kRcMiddle;  // far out of range without a receiver
@@ -199,8 +211,23 @@ ControlFrames Device::controlFrames(const Control &control) const
     return frames;
 }
 
+// At the end nobody gives them any more, which the board treats as signals that are lost. No answer tells
+// that it did.
+ControlFrames Device::channelFrames(const std::vector<double> &percents)
+{
+    const auto frame = [](const std::vector<double> &given) {
+        return encodeFrame(number(CommandId::ApiVirtChControl), encodeChannels(given), kVersion);
+    };
+    ControlFrames frames;
+    frames.setpoint = frame(percents);
+    frames.stop = frames.release = frame({});
+    return frames;
+}
+
 ControlFrames Device::controlFrames(const SteeringSetpoint &setpoint) const
 {
+    if (setpoint.mode == kVirtualChannelMode)
+        return channelFrames(setpoint.inputs);
     Control control{};
     for (std::size_t axis = 0; axis < std::min(kAxes.size(), setpoint.inputs.size()); ++axis) {
         const double value = setpoint.inputs[axis];

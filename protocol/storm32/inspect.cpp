@@ -112,7 +112,7 @@ FrameText rcText(const RcCommand *known, int id, Bytes payload, bool answer, con
         return {name, hexOf(toByteArray(payload))};
     if (known->id == Rc::Ack) {
         const auto error = ackError(values->value(u"code"_s).toInt(), u"ack"_s);
-        return {name, error ? error->detail : u"ok"_s};
+        return {name, error ? error->detail : u"ok"_s, error.has_value()};
     }
     if (known->id == Rc::GetData && answer && payload.size() == 66)
         return {name, liveFields(payload.subspan(2))};
@@ -223,9 +223,9 @@ FrameText Device::describeFrame(const FrameView &frame, bool fromBoard) const
     }
     switch (frame.id) {
     case 'o': return {u"o"_s, u"ok"_s};
-    case 'e': return {u"e"_s, u"unknown command"_s};
-    case 't': return {u"t"_s, u"arrived in pieces"_s};
-    case 'c': return {u"c"_s, u"wrong checksum"_s};
+    case 'e': return {u"e"_s, u"unknown command"_s, true};
+    case 't': return {u"t"_s, u"arrived in pieces"_s, true};
+    case 'c': return {u"c"_s, u"wrong checksum"_s, true};
     default: return {u"?"_s, {}};
     }
 }

@@ -473,8 +473,9 @@ void TestCtl::rawCommandsAreAnswered()
     QVERIFY(ctl({u"raw"_s, u"3E"_s, u"56"_s, u"00"_s, u"56"_s, u"00"_s}).out.contains(u"firmware 2.59"_s));
     QVERIFY(ctl({u"raw"_s, u"get_angles"_s}).out.contains(u"GET_ANGLES: "_s));
     // What the board refuses is told in its words.
-    QVERIFY(
-        ctl({u"raw"_s, u"execute_menu"_s, u"C8"_s, u"--confirmed"_s}).out.contains(u"wrong parameters"_s));
+    const Run refused = ctl({u"raw"_s, u"execute_menu"_s, u"C8"_s, u"--confirmed"_s});
+    QVERIFY2(refused.out.contains(u"wrong parameters"_s), qPrintable(refused.out));
+    QCOMPARE(refused.exitCode, 1);
 }
 
 void TestCtl::rawCommandsThatChangeAreConfirmed()

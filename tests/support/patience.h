@@ -8,8 +8,21 @@
 /// requirement. A loaded machine under sanitizers takes ten times as long as one that is free.
 inline constexpr int kPatience = 60000;
 
-// Qt's own wait 5 s, and ask again after the answer was yes: what swings, or is told for a moment, may be
-// gone by then.
+/// Looks every 50 ms, as Qt's macros do, but once it was yes it is not asked again: what swings, or is told
+/// for a moment, may be gone by then.
+template <typename Condition> bool comesTrue(Condition &&condition, int timeout)
+{
+    QElapsedTimer timer;
+    timer.start();
+    while (!condition()) {
+        if (timer.elapsed() >= timeout)
+            return condition();
+        QTest::qWait(50);
+    }
+    return true;
+}
+
+// Qt's own wait 5 s.
 #undef QTRY_VERIFY_WITH_TIMEOUT
 #undef QTRY_VERIFY2_WITH_TIMEOUT
 #undef QTRY_COMPARE_WITH_TIMEOUT
@@ -17,12 +30,12 @@ inline constexpr int kPatience = 60000;
 #undef QTRY_VERIFY2
 #undef QTRY_COMPARE
 #define QTRY_VERIFY2_WITH_TIMEOUT(expression, message, timeout)                                              \
-    QVERIFY2(QTest::qWaitFor([&] { return bool(expression); }, timeout), message)
+    QVERIFY2(comesTrue([&] { return bool(expression); }, timeout), message)
 #define QTRY_VERIFY_WITH_TIMEOUT(expression, timeout)                                                        \
     QTRY_VERIFY2_WITH_TIMEOUT(expression, "never: " #expression, timeout)
 #define QTRY_COMPARE_WITH_TIMEOUT(actual, expected, timeout)                                                 \
     do {                                                                                                     \
-        if (!QTest::qWaitFor([&] { return (actual) == (expected); }, timeout))                               \
+        if (!comesTrue([&] { return (actual) == (expected); }, timeout))                                     \
             QCOMPARE(actual, expected);                                                                      \
     } while (false)
 #define QTRY_VERIFY(expression) QTRY_VERIFY_WITH_TIMEOUT((expression), kPatience)

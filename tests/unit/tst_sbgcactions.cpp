@@ -4,10 +4,9 @@
 #include "protocol/simplebgc/memoryimage.h"
 #include "protocol/simplebgc/messages.h"
 #include "tests/support/channelproxy.h"
-#include "tests/support/virtualboard.h"
+#include "tests/support/sbgcrig.h"
 
 #include <QFile>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
@@ -16,30 +15,6 @@ using namespace simplebgc;
 using namespace Qt::StringLiterals;
 
 namespace {
-
-struct Rig : VirtualBoard
-{
-    using Texts = QMap<QString, QString>;
-
-    explicit Rig(int firmware = 2704)
-        : VirtualBoard(withFirmware(firmware))
-    {
-        if (!identify())
-            qFatal("no board");
-    }
-    Result<ActionReply> perform(const char *key, const Texts &texts = {})
-    {
-        const auto list = device.actions();
-        const bool isOffered = std::any_of(list.begin(), list.end(), [key](const ActionSpec &action) {
-            return qstrcmp(action.key, key) == 0;
-        });
-        if (!isOffered)
-            return failure(ErrorCode::Unsupported, QLatin1String(key));
-        return device.perform(channel, QLatin1String(key), argumentsFor(device, key, texts));
-    }
-    [[nodiscard]] QString path(const QString &name) const { return dir.filePath(name); }
-    QTemporaryDir dir;
-};
 
 /// A line that is cut after so many commands of one kind.
 class CutLine final : public ChannelProxy
@@ -61,10 +36,6 @@ QByteArray fileBytes(const QString &path)
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
-
-#define SAYS(outcome, words)                                                                                 \
-    QVERIFY(!(outcome));                                                                                     \
-    QVERIFY2((outcome).error().detail.contains(words), qPrintable((outcome).error().detail))
 
 }  // namespace
 
@@ -99,7 +70,7 @@ private slots:
 
 void TestSbgcActions::polesAndDirectionAreFound()
 {
-    Rig rig;
+    SbgcRig rig;
     rig.board().store(u"motor.roll.poles"_s, 0, 22);
     rig.board().store(u"motor.yaw.invert"_s, 0, 1);
     const auto done = rig.perform("calibrate.poles");
@@ -118,7 +89,7 @@ void TestSbgcActions::polesAndDirectionAreFound()
 
 void TestSbgcActions::calibrationThatIsRefusedIsTold()
 {
-    Rig rig;
+    SbgcRig rig;
     rig.board().setFaults({.noImu = true});
     SAYS(rig.perform("calibrate.poles"), u"sensor"_s);
     rig.board().setFaults({.deaf = number(CommandId::CalibPoles)});
@@ -129,7 +100,7 @@ void TestSbgcActions::calibrationThatIsRefusedIsTold()
 
 void TestSbgcActions::magneticLinkIsMeasured()
 {
-    Rig rig;
+    SbgcRig rig;
     const auto done = rig.perform("calibrate.magnetic_link");
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     for (const Axis axis : kAxes) {
@@ -137,12 +108,12 @@ void TestSbgcActions::magneticLinkIsMeasured()
         QVERIFY(done->value(key).toDouble() > 10);
         QVERIFY(rig.board().stored(key, 0) > 1000);
     }
-    QCOMPARE(Rig(2439).perform("calibrate.magnetic_link").error().code, ErrorCode::Unsupported);
+    QCOMPARE(SbgcRig(2439).perform("calibrate.magnetic_link").error().code, ErrorCode::Unsupported);
 }
 
 void TestSbgcActions::sensorThatIsNotThereIsNotSelected()
 {
-    Rig rig;
+    SbgcRig rig;
     const auto frame = rig.perform("imu.select", {{u"imu"_s, u"frame"_s}});
     QVERIFY(!frame);
     QCOMPARE(frame.error().code, ErrorCode::NoEffect);
@@ -151,7 +122,7 @@ void TestSbgcActions::sensorThatIsNotThereIsNotSelected()
 
 void TestSbgcActions::pinsAreSetWhereTheyAreOutputs()
 {
-    Rig rig;
+    SbgcRig rig;
     QVERIFY(rig.perform("pin", {{u"pin"_s, u"AUX1"_s}, {u"state"_s, u"high"_s}}));
     rig.board().store(u"rc.map.roll"_s, 0, 1);
     const auto input = rig.perform("pin", {{u"pin"_s, u"RC_ROLL"_s}, {u"state"_s, u"low"_s}});
@@ -162,7 +133,7 @@ void TestSbgcActions::pinsAreSetWhereTheyAreOutputs()
 
 void TestSbgcActions::signalSteersTheCamera()
 {
-    Rig rig;
+    SbgcRig rig;
     rig.board().store(u"rc.map.pitch"_s, 0, 129 + 4);
     rig.board().store(u"rc.pitch.mode"_s, 0, 1);
     rig.board().store(u"rc.pitch.speed"_s, 0, 20);
@@ -177,7 +148,7 @@ void TestSbgcActions::signalSteersTheCamera()
 
 void TestSbgcActions::signalSetsAVariable()
 {
-    Rig rig;
+    SbgcRig rig;
     rig.board().store(u"slot.analog1.source"_s, 0, 131);
     rig.board().store(u"slot.analog1.variable"_s, 0, 0);  // P of roll
     rig.board().store(u"slot.analog1.min"_s, 0, 51);
@@ -192,7 +163,7 @@ void TestSbgcActions::signalSetsAVariable()
 
 void TestSbgcActions::signalRunsAMenuCommand()
 {
-    Rig rig;
+    SbgcRig rig;
     rig.board().store(u"slot.trigger2.source"_s, 0, 130);
     rig.board().store(u"slot.trigger2.action5"_s, 0, 12);  // motors off
     rig.board().store(u"slot.trigger2.action1"_s, 0, 2);  // profile 2
@@ -208,7 +179,7 @@ void TestSbgcActions::signalRunsAMenuCommand()
 
 void TestSbgcActions::signalsAreRead()
 {
-    Rig rig;
+    SbgcRig rig;
     rig.board().store(u"rc.map.roll"_s, 0, 129);
     const auto nothing = rig.perform("signals");
     QVERIFY2(nothing, nothing ? "" : qPrintable(nothing.error().detail));
@@ -235,7 +206,7 @@ void TestSbgcActions::slotsAreStateOfTheBoard()
     QFETCH(int, firmware);
     QFETCH(QByteArray, asked);
     QFETCH(QByteArray, told);
-    Rig rig(firmware);
+    SbgcRig rig(firmware);
     rig.board().store(u"slot.trigger2.source"_s, 0, 130);
     rig.board().store(u"slot.trigger2.action5"_s, 0, 17);
     rig.board().store(u"slot.analog1.source"_s, 0, 130);
@@ -252,19 +223,19 @@ void TestSbgcActions::slotsAreStateOfTheBoard()
 
 void TestSbgcActions::statisticsAreRead()
 {
-    Rig rig;
+    SbgcRig rig;
     std::ignore = rig.channel.sleep(5s);
     const auto told = rig.perform("statistics");
     QVERIFY2(told, told ? "" : qPrintable(told.error().detail));
     QVERIFY(told->value(u"work"_s).toInt() >= 5);
     QCOMPARE(told->value(u"starts"_s).toInt(), 1);
     QVERIFY(told->value(u"current.max"_s).toInt() > 0);
-    QCOMPARE(Rig(2590).perform("statistics").error().code, ErrorCode::Unsupported);
+    QCOMPARE(SbgcRig(2590).perform("statistics").error().code, ErrorCode::Unsupported);
 }
 
 void TestSbgcActions::profileSetsKeepProfiles()
 {
-    Rig rig;
+    SbgcRig rig;
     const auto set = [&](const char *action, const char *slot) {
         return rig.perform("profile_set",
                            {{u"action"_s, QLatin1String(action)}, {u"slot"_s, QLatin1String(slot)}});
@@ -283,7 +254,7 @@ void TestSbgcActions::profileSetsKeepProfiles()
 
 void TestSbgcActions::externalDataComeBack()
 {
-    Rig rig;
+    SbgcRig rig;
     QVERIFY(rig.perform("external.write", {{u"data"_s, u"01 02 ff"_s}}));
     const auto read = rig.perform("external.read");
     QVERIFY(read);
@@ -294,7 +265,7 @@ void TestSbgcActions::externalDataComeBack()
 
 void TestSbgcActions::memoryComesBackBitForBit()
 {
-    Rig rig;
+    SbgcRig rig;
     const auto saved = rig.perform("memory.save", {{u"file"_s, rig.path(u"a"_s)}});
     QVERIFY2(saved, saved ? "" : qPrintable(saved.error().detail));
     QCOMPARE(saved->value(u"bytes"_s).toInt(), kMemorySize);
@@ -313,7 +284,7 @@ void TestSbgcActions::memoryComesBackBitForBit()
 
 void TestSbgcActions::brokenRestoreGoesOn()
 {
-    Rig rig;
+    SbgcRig rig;
     QVERIFY(rig.perform("memory.save", {{u"file"_s, rig.path(u"a"_s)}}));
     for (int profile = 0; profile < kProfileCount; ++profile)
         rig.board().store(u"pid.pitch.d"_s, profile, 99);
@@ -330,7 +301,7 @@ void TestSbgcActions::brokenRestoreGoesOn()
 
 void TestSbgcActions::otherMemoryIsRefused()
 {
-    Rig rig;
+    SbgcRig rig;
     QVERIFY(rig.perform("memory.save", {{u"file"_s, rig.path(u"a"_s)}}));
     auto image = MemoryImage::decode(fileBytes(rig.path(u"a"_s)));
     QVERIFY(image);
@@ -376,7 +347,7 @@ void TestSbgcActions::imagesAreChecked()
 
 void TestSbgcActions::filesComeBack()
 {
-    Rig rig;
+    SbgcRig rig;
     QByteArray content(700, 's');
     for (int i = 0; i < content.size(); ++i)
         content[i] = char(i * 31);
@@ -384,8 +355,10 @@ void TestSbgcActions::filesComeBack()
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(content);
     file.close();
-    const Rig::Texts one{{u"type"_s, u"script"_s}, {u"number"_s, u"1"_s}, {u"file"_s, rig.path(u"script"_s)}};
-    const Rig::Texts back{{u"type"_s, u"script"_s}, {u"number"_s, u"1"_s}, {u"file"_s, rig.path(u"back"_s)}};
+    const SbgcRig::Texts one{
+        {u"type"_s, u"script"_s}, {u"number"_s, u"1"_s}, {u"file"_s, rig.path(u"script"_s)}};
+    const SbgcRig::Texts back{
+        {u"type"_s, u"script"_s}, {u"number"_s, u"1"_s}, {u"file"_s, rig.path(u"back"_s)}};
     SAYS(rig.perform("file.save", back), u"file not found"_s);
     const auto loaded = rig.perform("file.load", one);
     QVERIFY2(loaded, loaded ? "" : qPrintable(loaded.error().detail));
@@ -415,7 +388,7 @@ void TestSbgcActions::filesComeBack()
 
 void TestSbgcActions::scriptsRun()
 {
-    Rig rig;
+    SbgcRig rig;
     SAYS(rig.perform("script", {{u"slot"_s, u"3"_s}}), u"wrong parameters"_s);
     QFile file(rig.path(u"script"_s));
     QVERIFY(file.open(QIODevice::WriteOnly));
@@ -441,7 +414,7 @@ void TestSbgcActions::scriptsRun()
 
 void TestSbgcActions::variablesTellAboutThemselves()
 {
-    Rig rig(2738);
+    SbgcRig rig(2738);
     int total = 1;
     int told = 0;
     for (int first = 0; first < total;) {
@@ -471,7 +444,7 @@ void TestSbgcActions::variablesTellAboutThemselves()
 // By hand as well: whoever sends them is told that what the motors hold falls.
 void TestSbgcActions::calibrationsThatRestartAreKnown()
 {
-    Rig rig;
+    SbgcRig rig;
     for (const CommandId id : {CommandId::CalibMag, CommandId::CalibAcc, CommandId::CalibGyro}) {
         for (int action = 1; action <= 7; ++action) {
             const QByteArray payload = ByteWriter().u8(1).u8(action).zeros(10).take();

@@ -531,6 +531,14 @@ QString describe(const Progress &progress)
         return Words::tr("Reading a file of the board");
     if (progress.step == u"write-file"_s)
         return Words::tr("Writing a file of the board");
+    if (progress.step == u"script"_s)
+        return Words::tr("Script %1 runs: command %2")
+            .arg(subject)
+            .arg(int(progress.values.value(u"command"_s)));
+    if (progress.step == u"search-bus"_s)
+        return Words::tr("Asking each address of the bus");
+    if (progress.step == u"feed"_s)
+        return Words::tr("Sending the rows of the file, each at its time");
     if (progress.step == u"calibrate-drone"_s)
         return Words::tr("Calibrating: leave the drone alone");
     if (progress.step == u"motor-test"_s)

@@ -43,7 +43,8 @@ QString replyText(const QVariant &value)
         return shortNumberText(value.toDouble(), 7);
     if (value.typeId() == QMetaType::Bool)
         return value.toBool() ? ActionsPage::tr("yes") : ActionsPage::tr("no");
-    return value.toString();
+    // Words of the board's tables, which are English on the wire and in files.
+    return tableText(value.toString().toUtf8().constData());
 }
 
 struct ReplyWord
@@ -68,27 +69,37 @@ constexpr ReplyWord kReplyWords[] = {
     {"calibrating", QT_TRANSLATE_NOOP("ActionsPage", "Being calibrated")},
     {"changed", QT_TRANSLATE_NOOP("ActionsPage", "Values changed")},
     {"channel", QT_TRANSLATE_NOOP("ActionsPage", "Channel")},
+    {"command", QT_TRANSLATE_NOOP("ActionsPage", "Last command")},
     {"confirmed", QT_TRANSLATE_NOOP("ActionsPage", "Confirmed")},
     {"cpu.load", QT_TRANSLATE_NOOP("ActionsPage", "Processor load")},
     {"cpu.temperature", QT_TRANSLATE_NOOP("ActionsPage", "Processor temperature")},
+    {"data", QT_TRANSLATE_NOOP("ActionsPage", "Bytes (hex)")},
+    {"devices", QT_TRANSLATE_NOOP("ActionsPage", "Devices that answer")},
     {"errors", QT_TRANSLATE_NOOP("ActionsPage", "Errors")},
     {"exposure", QT_TRANSLATE_NOOP("ActionsPage", "Exposure mode")},
     {"firmware", QT_TRANSLATE_NOOP("ActionsPage", "Firmware")},
     {"frequency", QT_TRANSLATE_NOOP("ActionsPage", "Frequency")},
     {"iso", QT_TRANSLATE_NOOP("ActionsPage", "Sensitivity (ISO)")},
+    {"late", QT_TRANSLATE_NOOP("ActionsPage", "Rows left out because they were late")},
     {"mode", QT_TRANSLATE_NOOP("ActionsPage", "Mode")},
+    {"no_signal", QT_TRANSLATE_NOOP("ActionsPage", "Without a signal")},
+    {"now", QT_TRANSLATE_NOOP("ActionsPage", "Now")},
     {"power", QT_TRANSLATE_NOOP("ActionsPage", "Power step")},
     {"power.dbm", QT_TRANSLATE_NOOP("ActionsPage", "Power")},
     {"powers", QT_TRANSLATE_NOOP("ActionsPage", "Powers it has (dBm)")},
+    {"restart_needed", QT_TRANSLATE_NOOP("ActionsPage", "In use only after a restart")},
     {"restarts_in", QT_TRANSLATE_NOOP("ActionsPage", "Restarts in")},
     {"rx.dbm", QT_TRANSLATE_NOOP("ActionsPage", "Receive level")},
     {"rx.quality", QT_TRANSLATE_NOOP("ActionsPage", "Receive quality")},
+    {"rows", QT_TRANSLATE_NOOP("ActionsPage", "Rows sent")},
     {"shutter", QT_TRANSLATE_NOOP("ActionsPage", "Shutter")},
+    {"silent", QT_TRANSLATE_NOOP("ActionsPage", "The board has fallen silent")},
     {"state", QT_TRANSLATE_NOOP("ActionsPage", "State")},
     {"temperature", QT_TRANSLATE_NOOP("ActionsPage", "Temperature")},
     {"text", QT_TRANSLATE_NOOP("ActionsPage", "Text")},
     {"voltage", QT_TRANSLATE_NOOP("ActionsPage", "Voltage")},
     {"white_balance", QT_TRANSLATE_NOOP("ActionsPage", "White balance")},
+    {"written", QT_TRANSLATE_NOOP("ActionsPage", "Bytes written")},
 };
 // clang-format on
 

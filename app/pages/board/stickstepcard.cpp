@@ -30,7 +30,7 @@ constexpr int kGainDecimals = 8;
 constexpr int kFigureDecimals = 2;
 constexpr double kShare = 100;
 constexpr double kFaint = 0.35;
-constexpr int kChartHeight = 150;
+constexpr int kChartHeight = 132;
 constexpr double kRoomAbove = 1.6;  // of the step
 constexpr double kRoomBelow = -0.3;
 

@@ -99,6 +99,11 @@ void SimulatedBoard::boot()
     m_signals = {};
     m_script = {};
     m_motorCalibration = {};
+    m_bootLoaderAt = -1;
+    m_frameToldUntil = -1;
+    m_sensorRegisters.clear();
+    for (std::size_t i = 0; i < kAxisCount; ++i)
+        m_stabilizer.imu().gyroCorrection[i] -= std::exchange(m_gyroTold[i], 0.0);
     ++m_starts;
     for (const Axis axis : kAxes)
         m_stabilizer.setTarget(axis, 0.0);
@@ -223,11 +228,22 @@ void SimulatedBoard::cycle()
     }
     if (m_restartAt >= 0 && m_now >= m_restartAt) {
         m_restartAt = -1;
+        m_isInBootLoader = false;
         m_bootLeft = kBootTime;
         m_output.clear();
         return;
     }
     updateFaults();
+    if (m_bootLoaderAt >= 0 && m_now >= m_bootLoaderAt) {
+        m_bootLoaderAt = -1;
+        m_isInBootLoader = true;
+        m_stabilizer.setMotorsOn(false);
+        m_output.clear();
+    }
+    if (m_isInBootLoader) {
+        m_stabilizer.step();
+        return;
+    }
     updateSlots();
     updateTargets();
     updateMotorCalibration();

@@ -9,6 +9,7 @@
 #include "protocol/simulator/world/simulatedboard.h"
 #include "protocol/simulator/world/stabilizer.h"
 
+#include <QHash>
 #include <QMap>
 
 #include <deque>
@@ -42,7 +43,7 @@ public:
     void receive(Bytes bytes) override;
     void cycle() override;
     QByteArray takeOutput(qsizetype max) override;
-    [[nodiscard]] bool isRunning() const override { return m_bootLeft <= 0; }
+    [[nodiscard]] bool isRunning() const override { return m_bootLeft <= 0 && !m_isInBootLoader; }
     /// From 2.41 on both parities are accepted (document "Message format").
     [[nodiscard]] std::optional<Parity> onlyParity() const override
     {
@@ -104,6 +105,12 @@ private:
     // motors and pins (mounting.cpp)
     bool handleMotors(const Frame &frame);
     void startMotorCalibration(const Frame &frame);
+    // other sensors, buses, the boot loader (expert.cpp)
+    bool handleExpert(const Frame &frame);
+    void correctGyro(const Frame &frame);
+    bool takeAttitude(const Frame &frame);
+    [[nodiscard]] std::optional<QByteArray> busBytes(int address, int reg, int length) const;
+    void takeBusBytes(int address, int reg, const QByteArray &bytes);
     void updateMotorCalibration();
     void updateCalibration();
     void sendEnd(CommandId command, int version, bool fails);
@@ -190,6 +197,8 @@ private:
     double m_streamsAt = 0;  // nothing is streamed before
     double m_bootLeft = 0;
     double m_restartAt = -1;
+    double m_bootLoaderAt = -1;
+    bool m_isInBootLoader = false;  // until the power goes off and on, which is the restart of the world
     double m_voltageOffset = 0;
     quint64 m_serialErrors = 0;
     std::vector<Stream> m_streams;
@@ -233,6 +242,11 @@ private:
         bool motorsWereOn = false;
     };
     MotorCalibration m_motorCalibration;
+    // What others tell of its attitude.
+    std::array<double, kAxisCount> m_frameTold{};
+    double m_frameToldUntil = -1;
+    std::array<double, kAxisCount> m_gyroTold{};
+    QHash<int, int> m_sensorRegisters;
     int m_starts = 0;
     double m_mostCurrent = 0;
     std::array<double, kAxisCount> m_moveSpeed{};

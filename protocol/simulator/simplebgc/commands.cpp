@@ -78,7 +78,7 @@ void SimulatedBoard::handle(const Frame &frame)
     if (frame.id == m_options.faults.deaf)
         return;
     if (handleRead(frame) || handleWrite(frame) || handleAction(frame) || handleMemory(frame)
-        || handleMotors(frame))
+        || handleMotors(frame) || handleExpert(frame))
         return;
     refuse(frame, kUnknownCommand);
 }
@@ -194,7 +194,6 @@ bool SimulatedBoard::handleRead(const Frame &frame)
     case CommandId::GetParams3:
         refuse(frame, kNotSupported);  // "not yet implemented" according to the document
         return true;
-    case CommandId::AhrsHelper: reply(frame, CommandId::AhrsHelper, attitudeVectors()); return true;
     default: return false;
     }
 }

@@ -81,8 +81,12 @@ QByteArray SimulatedBoard::realtime(bool extended) const
     writer.i16(0).i16(0);
     for (const Axis axis : kAxes)
         writer.i16(reportedAngle(s.estimate(axis)));
-    for (const Axis axis : kAxes)
-        writer.i16(m_hasFrameSensor ? reportedAngle(s.hand().angle(axis)) : 0);
+    for (const Axis axis : kAxes) {
+        const bool isTold = m_now < m_frameToldUntil;
+        writer.i16(isTold                 ? reportedAngle(m_frameTold[std::size_t(axis)])
+                       : m_hasFrameSensor ? reportedAngle(s.hand().angle(axis))
+                                          : 0);
+    }
     for (const Axis axis : kAxes)
         writer.i16(reportedAngle(s.target(axis)));
     writer.u16(800)

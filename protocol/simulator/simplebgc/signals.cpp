@@ -20,7 +20,6 @@ constexpr int kUndefined = -10000;
 constexpr int kFineUndefined = -32768;
 constexpr double kFull = 500;
 constexpr double kFineFull = 16384;
-constexpr int kNewSlotState = 2625;  // from here on ADJ_VARS_STATE is asked by source
 
 int fine(const std::optional<double> &signal)
 {
@@ -125,7 +124,7 @@ QByteArray SimulatedBoard::slotState(const Frame &frame) const
     const int fifth = m_signals.fifths[std::size_t(trigger)];
     const int action = fifth > 0 ? quint8(memory[6 * trigger + fifth]) : 0;
     ByteWriter writer;
-    if (m_options.firmware < kNewSlotState) {
+    if (m_options.firmware < kSlotStateBySource) {
         const int analog = std::min(int(reader.u8()), kAnalogSlots - 1);
         const int id = quint8(memory[60 + 4 * analog + 1]) & 0x7F;
         writer.i16(coarse(stick)).u8(action).i16(coarse(signal(quint8(memory[60 + 4 * analog]))));

@@ -88,6 +88,8 @@ public:
     void setTarget(Axis axis, double degrees) { m_axes[index(axis)].target = degrees; }
     /// Attitude as estimated by the board.
     [[nodiscard]] double estimate(Axis axis) const { return m_axes[index(axis)].estimate; }
+    /// Something else than its sensors tells the board where it is.
+    void setEstimate(Axis axis, double degrees) { m_axes[index(axis)].estimate = degrees; }
     /// True attitude.
     [[nodiscard]] double trueAngle(Axis axis) const { return m_axes[index(axis)].plant.angle(); }
     [[nodiscard]] double jointAngle(Axis axis) const { return m_axes[index(axis)].plant.jointAngle(); }
