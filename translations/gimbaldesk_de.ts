@@ -1436,6 +1436,22 @@
         <source>Wait until what is being done is over.</source>
         <translation>Warten Sie, bis der laufende Vorgang zu Ende ist.</translation>
     </message>
+    <message>
+        <source>front left</source>
+        <translation>vorn links</translation>
+    </message>
+    <message>
+        <source>front right</source>
+        <translation>vorn rechts</translation>
+    </message>
+    <message>
+        <source>rear left</source>
+        <translation>hinten links</translation>
+    </message>
+    <message>
+        <source>rear right</source>
+        <translation>hinten rechts</translation>
+    </message>
 </context>
 <context>
     <name>BlackBoxModel</name>
@@ -2776,10 +2792,6 @@
         <translation>Nicht fliegen. Achsen, Plätze der Motoren oder Mischung im Konfigurationstext berichtigen, dann noch einmal prüfen.</translation>
     </message>
     <message>
-        <source>All directions were found right.</source>
-        <translation>Alle Richtungen stimmen.</translation>
-    </message>
-    <message>
         <source>Checked with this drone and this configuration.</source>
         <translation>Mit dieser Drohne und dieser Konfiguration geprüft.</translation>
     </message>
@@ -2934,6 +2946,18 @@
     <message>
         <source>Turned round: from now on this stick is sent the other way. Let it go until the motors turn steadily, then push it again.</source>
         <translation>Umgedreht: Von jetzt an wird dieser Knüppel andersherum gesendet. Lassen Sie ihn los, bis die Motoren gleichmäßig drehen, und drücken Sie ihn dann noch einmal.</translation>
+    </message>
+    <message>
+        <source>From the beginning…</source>
+        <translation>Von vorn beginnen…</translation>
+    </message>
+    <message>
+        <source>All directions are known: it may be flown.</source>
+        <translation>Alle Richtungen sind bekannt: Sie darf geflogen werden.</translation>
+    </message>
+    <message>
+        <source>Go on with the check…</source>
+        <translation>Prüfung fortsetzen…</translation>
     </message>
 </context>
 <context>
@@ -4499,6 +4523,10 @@
         <source>Drawn as the check of directions has found it (Flight).</source>
         <translation>Gezeichnet, wie die Prüfung der Richtungen es gefunden hat (Flug).</translation>
     </message>
+    <message>
+        <source>What the drone commands, not what turns. Seen from above, as the check of directions has found it.</source>
+        <translation>Was die Drohne befiehlt, nicht was dreht. Von oben gesehen, wie die Prüfung der Richtungen es ergeben hat.</translation>
+    </message>
 </context>
 <context>
     <name>FlightPage</name>
@@ -4765,6 +4793,22 @@
     <message>
         <source>the check of its directions is over.</source>
         <translation>die Prüfung ihrer Richtungen ist zu Ende.</translation>
+    </message>
+    <message>
+        <source>Not armed: no button of the gamepad disarms. Assign one on the page “Gamepad”.</source>
+        <translation>Nicht scharf geschaltet: kein Knopf des Gamepads entschärft. Weisen Sie auf der Seite „Gamepad“ einen zu.</translation>
+    </message>
+    <message>
+        <source>a stick is not in its middle.</source>
+        <translation>ein Knüppel ist nicht in seiner Mitte.</translation>
+    </message>
+    <message>
+        <source>the gamepad has no stick for throttle, roll, pitch or yaw. Assign it on the page “Gamepad”.</source>
+        <translation>dem Gamepad fehlt ein Knüppel für Gas, Roll, Nick oder Gier. Weisen Sie ihn auf der Seite „Gamepad“ zu.</translation>
+    </message>
+    <message>
+        <source>another ground station talks to it.</source>
+        <translation>eine andere Bodenstation spricht mit ihr.</translation>
     </message>
 </context>
 <context>
@@ -6054,6 +6098,26 @@
     <message>
         <source>asked about</source>
         <translation>wird nachgefragt</translation>
+    </message>
+    <message>
+        <source>Seen from above, as the check of directions has found it.</source>
+        <translation>Von oben gesehen, wie die Prüfung der Richtungen es ergeben hat.</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>rear</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
     </message>
 </context>
 <context>
@@ -18390,16 +18454,16 @@ Auf dem Board: %1</translation>
         <translation>Die Änderung verwerfen. Was das Board jetzt hat, ist nicht bekannt.</translation>
     </message>
     <message>
-        <source>%1 in the text</source>
-        <translation>%1 im Text</translation>
-    </message>
-    <message>
         <source>not told by the text</source>
         <translation>steht nicht im Text</translation>
     </message>
     <message>
         <source>The text that the board keeps has another number for this value.</source>
         <translation>Im Text, den das Board aufbewahrt, steht eine andere Zahl für diesen Wert.</translation>
+    </message>
+    <message>
+        <source>as %1 in the text</source>
+        <translation>als %1 im Text</translation>
     </message>
 </context>
 <context>

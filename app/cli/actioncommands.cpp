@@ -464,6 +464,11 @@ public:
         return arguments().size() == 1 && (word == u"on"_s || word == u"off"_s) ? QString()
                                                                                 : u"motors needs on or off"_s;
     }
+    void prepare(DeviceClient &client) override
+    {
+        if (arguments().first() == u"off"_s)
+            client.stopBeforeAsking();
+    }
     [[nodiscard]] bool endsWith(const Error &error) override { return m_stop.endsWith(error); }
     [[nodiscard]] QString leftOpen(const Error &error) const override
     {

@@ -159,7 +159,7 @@ public:
             QString range
                 = spec.row->kind == ValueKind::Number ? spec.minText() + u".."_s + spec.maxText() : QString();
             if (const auto figure = configuration->textFigure(spec, *raw))
-                range += u"  %1 in the text"_s.arg(plainNumber(*figure));
+                range += u"  as %1 in the text"_s.arg(plainNumber(*figure));
             outcome.text += u"%1 %2 %3\n"_s.arg(spec.key.leftJustified(32),
                                                 valueText(spec, *raw).leftJustified(24), range);
         }
@@ -213,7 +213,8 @@ public:
             addFigure(json, *configuration, *spec, *raw);
             array.append(json);
             if (const auto figure = configuration->textFigure(*spec, *raw))
-                notes.append(u"%1 is %2 in the configuration text"_s.arg(key, plainNumber(*figure)));
+                notes.append(u"%1 stands as %2 in the configuration text, where it is stored"_s.arg(
+                    key, plainNumber(*figure)));
             outcome.text += arguments().size() == 1 ? spec->format(*raw) + u'\n'
                                                     : key + u'=' + spec->format(*raw) + u'\n';
         }

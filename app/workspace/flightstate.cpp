@@ -70,23 +70,55 @@ QByteArray axesKey(const Workspace &workspace)
                                                           : QByteArray();
 }
 
+namespace {
+
+// What was checked holds for what the sticks were pushed with: the screen, or a gamepad as it is assigned.
+QByteArray handsKey(Workspace &workspace)
+{
+    if (!workspace.settings().gamepadSteers())
+        return {};
+    const GamepadMapping mapping = workspace.gamepad().mapping();
+    QByteArray text;
+    for (const GamepadStick stick : {GamepadStick::Roll, GamepadStick::Pitch, GamepadStick::Yaw})
+        text += '-' + QByteArray::number(mapping[stick].axis) + (mapping[stick].inverted ? 'i' : 'n');
+    return text;
+}
+
+}  // namespace
+
 CheckedDirections checkedDirections(Workspace &workspace)
 {
     const QByteArray key = axesKey(workspace);
     if (key.isEmpty())
         return {};
+    const QByteArray hands = handsKey(workspace);
     const QString board = workspace.naming().lastingKey();
-    return CheckedDirections::decode(board.isEmpty() ? workspace.naming().untilReconnected().value(key)
-                                                     : workspace.settings().checkedDirections(board, key));
+    return CheckedDirections::decode(
+        board.isEmpty() ? workspace.naming().untilReconnected().value(hands + ' ' + key)
+                        : workspace.settings().checkedDirections(board + QString::fromLatin1(hands), key));
 }
 
 void keepDirections(Workspace &workspace, const CheckedDirections &found)
 {
+    const QByteArray hands = handsKey(workspace);
     const QString board = workspace.naming().lastingKey();
     if (board.isEmpty())
-        workspace.naming().untilReconnected().insert(axesKey(workspace), found.encode());
+        workspace.naming().untilReconnected().insert(hands + ' ' + axesKey(workspace), found.encode());
     else
-        workspace.settings().setCheckedDirections(board, axesKey(workspace), found.encode());
+        workspace.settings().setCheckedDirections(board + QString::fromLatin1(hands), axesKey(workspace),
+                                                  found.encode());
+}
+
+void keepDirectionsByName(Workspace &workspace)
+{
+    const QString board = workspace.naming().lastingKey();
+    auto &passing = workspace.naming().untilReconnected();
+    for (auto it = passing.cbegin(); !board.isEmpty() && it != passing.cend(); ++it) {
+        const qsizetype end = it.key().indexOf(' ');
+        workspace.settings().setCheckedDirections(board + QString::fromLatin1(it.key().left(end)),
+                                                  it.key().mid(end + 1), it.value());
+    }
+    passing.clear();
 }
 
 namespace {
@@ -129,12 +161,19 @@ int motorCount(const Workspace &workspace)
     return count;
 }
 
-void showMotors(const Workspace &workspace, MotorDiagram &diagram)
+void showMotors(Workspace &workspace, MotorDiagram &diagram)
 {
     const MotorLayout *layout = workspace.tables() ? workspace.tables()->motorLayout() : nullptr;
     const ConfigurationModel &model = workspace.configuration();
-    const std::vector<MotorShare> shares
+    std::vector<MotorShare> shares
         = layout && !model.isEmpty() ? layout->motorShares(model.board()) : std::vector<MotorShare>();
+    const CheckedDirections found = checkedDirections(workspace);
+    for (MotorShare &share : shares) {
+        share.roll *= found.motors[0];
+        share.pitch *= found.motors[1];
+        share.yaw *= found.motors[2];
+    }
+    diagram.setSidesKnown(found.level == CheckedDirections::Level::All);
     const int told = motorCount(workspace);
     diagram.setMotors(told > 0 ? told : int(shares.size()), shares);
     std::vector<double> outputs;

@@ -24,6 +24,8 @@ class Workspace;
 [[nodiscard]] CheckedDirections checkedDirections(Workspace &workspace);
 /// Keeps it for this board; until the next connection where nobody has said which one it is.
 void keepDirections(Workspace &workspace, const CheckedDirections &found);
+/// The board has a name now: what was kept until the next connection is kept with it.
+void keepDirectionsByName(Workspace &workspace);
 /// Degrees as the check of directions has found them: to the right, nose up, turned to the right; without one
 /// as the board tells them. NaN: not known.
 [[nodiscard]] std::array<double, kAxisCount> shownAngles(Workspace &workspace);
@@ -33,4 +35,4 @@ void showAttitude(Workspace &workspace, AttitudeView &view);
 [[nodiscard]] int motorCount(const Workspace &workspace);
 /// Gives the diagram the motors of the board, with their places as far as its configuration tells them, and
 /// what they are driven with.
-void showMotors(const Workspace &workspace, MotorDiagram &diagram);
+void showMotors(Workspace &workspace, MotorDiagram &diagram);

@@ -586,6 +586,8 @@ Family family()
     family.timing.heartbeat = [] { return encode(Message::Ping, pingPayload()); };
     family.timing.makeProbe = [] { return std::make_unique<PingProbe>(); };
     family.timing.silenceLimit = kLost;
+    // RESET_MOTORS has the same number in every generation, disarms, and stops whatever turns (errata 6.4).
+    family.timing.blindStop = encode(Message::ResetMotors, {});
     family.nouns.load = "drone";
     family.nouns.flies = true;
     family.makeFramer = [] { return std::make_unique<Framer>(); };

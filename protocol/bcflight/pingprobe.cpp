@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kFewestPings = 4;
 constexpr int kFewestPackets = 20;  // per window: fewer are no measure
 constexpr double kWellAnswered = 0.7;
-constexpr int kThinInARow = 2;
+constexpr int kThinInARow = 3;
 constexpr std::size_t kSilentPings
     = 3;  // in a row: the drone is away or deaf, and its stream may be another then
 

@@ -114,6 +114,12 @@ DeviceClient::State DeviceClient::state() const
     return d->state;
 }
 
+void DeviceClient::stopBeforeAsking()
+{
+    for (Family &family : d->families)
+        family.timing.stopsFirst = true;
+}
+
 const QList<Family> &DeviceClient::families() const
 {
     return d->families;

@@ -72,6 +72,9 @@ public:
     /// Opens the link, finds rate and parity, identifies the board. stateChanged() and connectionFailed()
     /// report the outcome.
     void connectTo(const LinkAddress &address, const QString &family = {});
+    /// From the next connection on motors are stopped before anything is asked, where that can be done
+    /// blindly (LinkTiming::blindStop). The stop of the board that is known has to follow.
+    void stopBeforeAsking();
     void disconnectFromBoard();
     /// Ends the link and the threads; every future has its result afterwards. An object that waits for one
     /// (`future.then(this, ...)`) must live until then, so call this before destroying anything that uses the

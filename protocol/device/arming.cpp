@@ -82,10 +82,16 @@ ArmingBar ArmingSession::barBefore(const Known &known, const Sticks &sticks, Tim
         return ArmingBar::ArmedElsewhere;
     if (known.isDriven.value_or(false))
         return ArmingBar::MotorsTurn;
+    if (known.isShared)
+        return ArmingBar::Shared;
+    if (!sticks.isComplete)
+        return ArmingBar::Unassigned;
     if (!known.isChecked)
         return ArmingBar::Unchecked;
     if (sticks.throttle != 0)
         return ArmingBar::Throttle;
+    if (sticks.pushed > kMiddle)
+        return ArmingBar::Pushed;
     return ArmingBar::None;
 }
 

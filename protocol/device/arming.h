@@ -21,6 +21,9 @@ enum class ArmingBar {
     Busy,  ///< the board is at work
     Stopping,  ///< a stop is not proven yet
     Throttle,  ///< not at zero
+    Pushed,  ///< another stick is not in its middle
+    Unassigned,  ///< what it is steered with lacks a stick
+    Shared,  ///< another ground station talks to it
     NoSticks,  ///< what it is steered with has told nothing for 250 ms
     // Only ends:
     Operator,  ///< who let go, pressed disarm or closed the session
@@ -47,6 +50,7 @@ public:
     static constexpr auto kAnswer = 1500ms;  ///< in which it has to say that it is armed
     static constexpr auto kSilence = 1s;
     static constexpr auto kSticks = 250ms;
+    static constexpr double kMiddle = 0.1;  ///< of a stick that is not pushed
 
     enum class Phase {
         Closed,  ///< nothing is sent
@@ -70,12 +74,15 @@ public:
         bool isBusy = false;  ///< a procedure runs
         bool isStopping = false;
         bool isChecked = false;
+        bool isShared = false;  ///< another ground station talks to it
     };
     /// What the operator does, freshly read.
     struct Sticks
     {
         double throttle = 0;  ///< 0 to 1
         TimePoint at{};  ///< when they were read
+        double pushed = 0;  ///< of the others, the one that is pushed farthest, 0 to 1
+        bool isComplete = true;  ///< there is a stick for everything
     };
     enum class Send { Nothing, Disarmed, Armed };
 

@@ -33,7 +33,7 @@ double difference(double to, double from)
 QByteArray CheckedDirections::encode() const
 {
     QByteArray text = QByteArray::number(int(level));
-    for (const auto *signs : {&angles, &sticks}) {
+    for (const auto *signs : {&angles, &sticks, &motors}) {
         for (const int sign : *signs)
             text += sign < 0 ? '-' : '+';
     }
@@ -43,13 +43,16 @@ QByteArray CheckedDirections::encode() const
 CheckedDirections CheckedDirections::decode(const QByteArray &text)
 {
     CheckedDirections read;
-    constexpr auto kSize = 1 + 2 * qsizetype(kAxisCount);
-    if (text.size() != kSize || text[0] < '0' || text[0] > '2')
+    constexpr auto kSigns = qsizetype(kAxisCount);
+    // Earlier versions did not keep where the motors are.
+    if ((text.size() != 1 + 3 * kSigns && text.size() != 1 + 2 * kSigns) || text[0] < '0' || text[0] > '2')
         return read;
     read.level = Level(text[0] - '0');
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         read.angles[axis] = text[1 + qsizetype(axis)] == '-' ? -1 : 1;
-        read.sticks[axis] = text[1 + qsizetype(kAxisCount + axis)] == '-' ? -1 : 1;
+        read.sticks[axis] = text[1 + kSigns + qsizetype(axis)] == '-' ? -1 : 1;
+        const qsizetype at = 1 + 2 * kSigns + qsizetype(axis);
+        read.motors[axis] = at < text.size() && text[at] == '-' ? -1 : 1;
     }
     return read;
 }
@@ -187,6 +190,12 @@ void DirectionCheck::feedAngles(const Axes &angles)
         turned[each] = difference(angles[each], m_start[each]);
     const bool wasSeen = m_sight == Sight::Seen;
     look(turned, kTilt, kBack);
+    // Turned on the spot, and held level: it begins from there.
+    if (m_sight == Sight::Other && std::abs(difference(angles[0], 0)) < kLevel
+        && std::abs(difference(angles[1], 0)) < kLevel) {
+        m_start = angles;
+        m_sight = Sight::Waiting;
+    }
     if (!wasSeen && m_sight == Sight::Seen)
         m_found.angles[axis] = turned[axis] < 0 ? -1 : 1;
 }

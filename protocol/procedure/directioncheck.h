@@ -23,6 +23,9 @@ struct CheckedDirections
     std::array<int, kAxisCount> angles{1, 1, 1};
     /// 1, or -1 where it goes the wrong way when a stick is sent as it is pushed.
     std::array<int, kAxisCount> sticks{1, 1, 1};
+    /// 1, or -1 where the mixing has the motors on the right, in front or turning clockwise with the other
+    /// sign; known with All.
+    std::array<int, kAxisCount> motors{1, 1, 1};
 
     [[nodiscard]] QByteArray encode() const;
     /// What encode() has made; nothing is checked where it is something else.
@@ -97,6 +100,8 @@ public:
     void answer(bool isRight);
     /// The last answer contradicted an earlier one.
     [[nodiscard]] bool isContradicted() const { return m_isContradicted; }
+    /// The motors, from 1, on the right, in front, turning clockwise, as was answered.
+    [[nodiscard]] const std::array<QList<int>, kAxisCount> &named() const { return m_named; }
     /// It brings itself the wrong way: it must not fly.
     [[nodiscard]] std::optional<Axis> failed() const { return m_failed; }
     [[nodiscard]] const CheckedDirections &found() const { return m_found; }

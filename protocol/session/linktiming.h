@@ -23,4 +23,9 @@ struct LinkTiming
     std::function<std::unique_ptr<LinkProbe>()> makeProbe = {};
     /// Without a byte for this long the link counts as lost; 0: the link itself reports it (serial, TCP).
     milliseconds silenceLimit{0};
+    /// Stops motors in any state, whatever generation of the protocol it is; empty: there is nothing like
+    /// that.
+    QByteArray blindStop = {};
+    /// It is sent from the moment at which the link opens until a stop of the board that is known takes over.
+    bool stopsFirst = false;
 };

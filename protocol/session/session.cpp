@@ -19,6 +19,7 @@ constexpr qsizetype kKeptBytes = 512;
 constexpr auto kPollPatience = 90ms;
 constexpr auto kMaxPollPatience = 500ms;
 constexpr int kPollShare = 3;
+constexpr auto kBlindStops = 50ms;
 
 qint64 slotOf(TimePoint now)
 {
@@ -89,7 +90,7 @@ void Session::open(const LinkAddress &address, std::unique_ptr<Framer> framer, L
     });
     connect(m_transport.get(), &Transport::opened, this, [this] {
         m_open = true;
-        m_arrival = m_nextBeat = m_silentUntil = Clock::now();
+        m_arrival = m_nextBeat = m_nextBlindStop = m_silentUntil = Clock::now();
         qCInfo(logSession) << "link open";
         schedule();
         emit opened();
@@ -229,6 +230,7 @@ void Session::stopMotors(StopPlan plan, StopSequence::Completion completion,
         completion(failure(ErrorCode::LinkClosed));
         return;
     }
+    m_timing.stopsFirst = false;
     m_stop.start(std::move(plan), std::move(completion), Clock::now(), std::move(restored));
     m_control.motorsStopped(Clock::now());
     schedule();
@@ -389,6 +391,7 @@ void Session::onTick()
     if (m_control.failsafeCount() != failsafes)
         emit failsafeActed();
     m_stop.advance(now);
+    stopBlindly(now);
     beat(now);
     m_queue.advance(now);
     if (const auto at = pollAt(); at && now >= *at) {
@@ -438,6 +441,15 @@ void Session::beat(TimePoint now)
     m_queue.sendUnanswered(m_probe ? m_probe->beat(now) : m_timing.heartbeat(), now);
 }
 
+// Who it is need not be known for that.
+void Session::stopBlindly(TimePoint now)
+{
+    if (!m_open || !m_timing.stopsFirst || m_timing.blindStop.isEmpty() || now < m_nextBlindStop)
+        return;
+    m_nextBlindStop = now + kBlindStops;
+    m_queue.sendUnanswered(m_timing.blindStop, now);
+}
+
 void Session::schedule()
 {
     if (!m_open)
@@ -452,6 +464,8 @@ void Session::schedule()
     consider(m_stop.nextDeadline());
     if (isReadyToFinish())
         consider(now);
+    if (m_timing.stopsFirst && !m_timing.blindStop.isEmpty())
+        consider(m_nextBlindStop);
     if (m_timing.heartbeatPeriod > 0ms)
         consider(m_nextBeat);
     if (m_timing.silenceLimit > 0ms)

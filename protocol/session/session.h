@@ -108,6 +108,7 @@ private:
     void finishNow();
     void tellFinished();
     void beat(TimePoint now);
+    void stopBlindly(TimePoint now);
     [[nodiscard]] TimePoint lostAt() const;
     [[nodiscard]] std::optional<TimePoint> pollAt() const;
 
@@ -136,6 +137,7 @@ private:
     QByteArray m_shutdownFrames;
     std::shared_ptr<const LatestValues> m_latest;
     TimePoint m_nextBeat{};
+    TimePoint m_nextBlindStop{};
     TimePoint m_silentUntil{};  // silence is expected until then
     bool m_open = false;
     TimePoint m_arrival{};

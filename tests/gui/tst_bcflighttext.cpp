@@ -280,11 +280,11 @@ void TestBcflightText::gainsAreShownAsInTheText()
         }
         return QString();
     };
-    QTRY_COMPARE(figure(parameters), u"90 in the text"_s);
+    QTRY_COMPARE(figure(parameters), u"as 90 in the text"_s);
     m_rig->edit(u"pid.roll.p"_s, 0, double(float(m_rig->raw(u"pid.roll.p"_s) * 1.1)));
-    QTRY_COMPARE(figure(parameters), u"99 in the text"_s);
+    QTRY_COMPARE(figure(parameters), u"as 99 in the text"_s);
     m_rig->workspace().edits().undo();
-    QTRY_COMPARE(figure(m_rig->page<TuningPage>()), u"90 in the text"_s);
+    QTRY_COMPARE(figure(m_rig->page<TuningPage>()), u"as 90 in the text"_s);
 }
 
 // The drone restarts after the text; the gains are in use all the same, and the page knows those of the text.

@@ -295,8 +295,10 @@ void TestBcflightWindow::checkedIsADroneThatIsKnown()
     m_rig->client().disconnectFromBoard();
     QVERIFY(connected());
     QCOMPARE(checkedDirections(m_rig->workspace()).level, CheckedDirections::Level::Nothing);
-    QVERIFY(m_rig->workspace().naming().choose(u"Mine"_s));
     keepDirections(m_rig->workspace(), all);
+    // It is this drone that has got a name, and it is still there.
+    QVERIFY(m_rig->workspace().naming().choose(u"Mine"_s));
+    QCOMPARE(checkedDirections(m_rig->workspace()), all);
     m_rig->client().disconnectFromBoard();
     QVERIFY(connected());
     QCOMPARE(m_rig->client().identity().serial, look);

@@ -115,6 +115,7 @@ private slots:
     void horizonIsDrawnAsFound();
     void armedTheKeysAreForTheSticks();
     void gamepadSteersAndItsLossDisarms();
+    void spaceDisarmsWhereverTheKeyboardIs();
     void gainsDisarmFirst();
     void stepIsMeasuredInAStand();
     void closingIsRefusedWhileArmed();
@@ -145,6 +146,12 @@ private:
         CheckedDirections all;
         all.level = CheckedDirections::Level::All;
         keepDirections(m_rig->workspace(), all);
+    }
+    [[nodiscard]] bool says(const QString &words)
+    {
+        const auto labels = page().findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [&words](const QLabel *label) { return label->text().contains(words); });
     }
     bool calibrate();
     bool arm(bool held = true);
@@ -312,6 +319,8 @@ void TestFlight::directionsAreCheckedThenItFlies()
     const auto ready = [card] { return card->check() && card->check()->isReady(); };
     QVERIFY(arm(false));
     const QPoint place = card->yesButton()->mapTo(card, QPoint());
+    QList<int> onTheRight;
+    QList<int> inFront;
     page().throttle()->setValue(60);  // no more than is allowed for the check
     for (const int tilted : {2, 4, 6}) {
         const int before = step();
@@ -320,6 +329,10 @@ void TestFlight::directionsAreCheckedThenItFlies()
         QTRY_VERIFY_WITH_TIMEOUT(card->yesButton()->isVisible(), kPatience);
         // The picture marks the motors that are asked about.
         QCOMPARE(card->asked().size(), 2);
+        if (tilted == 2)
+            onTheRight = card->asked();
+        else if (tilted == 4)
+            inFront = card->asked();
         QTRY_COMPARE_WITH_TIMEOUT(page().findChild<MotorDiagram *>()->asked(), card->asked(), kPatience);
         QTest::mouseClick(card->yesButton(), Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(step(), before + 1, kPatience);
@@ -351,6 +364,14 @@ void TestFlight::directionsAreCheckedThenItFlies()
     QTRY_VERIFY_WITH_TIMEOUT(!card->isChecking(), kPatience);
     QCOMPARE(card->found().level, CheckedDirections::Level::All);
     QCOMPARE(card->found().sticks, (std::array{1, 1, -1}));
+    // From now on the picture shows where they are.
+    QVERIFY(m_rig->boardGoesOn(0.3));
+    const auto *picture = page().findChild<MotorDiagram *>();
+    QVERIFY(picture->areSidesKnown());
+    for (const int motor : std::as_const(onTheRight))
+        QVERIFY(picture->placeOf(motor).x() > QRectF(picture->rect()).center().x());
+    for (const int motor : std::as_const(inFront))
+        QVERIFY(picture->placeOf(motor).y() < QRectF(picture->rect()).center().y());
     // It was armed for the check, with little throttle: what comes after begins with the key.
     QCOMPARE(page().session().phase(), Phase::Open);
     QCOMPARE(page().session().ended(), ArmingBar::CheckOver);
@@ -626,6 +647,32 @@ void TestFlight::gamepadSteersAndItsLossDisarms()
     gamepad.setMapping(mapping);
     m_pads.move(0, -1);
     page().open(true);
+    // What was checked with the sticks on the screen says nothing of a gamepad's.
+    QTRY_VERIFY(says(u"directions have not been checked"_s));
+    trust();
+    QTRY_VERIFY(says(u"Ready"_s));
+    m_pads.move(3, -1);
+    QTRY_VERIFY(says(u"not in its middle"_s));
+    m_pads.move(3, 0);
+    QTRY_VERIFY(says(u"Ready"_s));
+    mapping[GamepadStick::Roll].inverted = true;
+    gamepad.setMapping(mapping);
+    QTRY_VERIFY(says(u"directions have not been checked"_s));
+    mapping[GamepadStick::Roll].inverted = false;
+    mapping[GamepadStick::Throttle].axis = -1;
+    gamepad.setMapping(mapping);
+    QTRY_VERIFY(says(u"has no stick for throttle"_s));
+    mapping[GamepadStick::Throttle].axis = 0;
+    mapping[GamepadButton::Disarm] = -1;
+    gamepad.setMapping(mapping);
+    m_pads.press(0, true);
+    QVERIFY(m_rig->boardGoesOn(1.5));
+    m_pads.press(0, false);
+    QVERIFY(!isArmed());
+    QCOMPARE(page().session().phase(), Phase::Open);
+    mapping[GamepadButton::Disarm] = 1;
+    gamepad.setMapping(mapping);
+    QTRY_VERIFY(says(u"Ready"_s));
     const auto armByPad = [&] {
         m_pads.press(0, true);
         const bool armed
@@ -667,6 +714,9 @@ void TestFlight::gamepadSteersAndItsLossDisarms()
         const auto sent = tap.take();
         return !sent.empty() && sent.back().roll > 0.9 && sent.back().thrust > 0.2;
     }));
+    // And are seen on the screen.
+    QTRY_VERIFY(page().pad()->value().x() > 0.9);
+    QTRY_VERIFY(page().throttle()->value() > 20);
     m_pads.press(1, true);
     QVERIFY(isSoon(m_rig->client().roles().armed, 0));
     QCOMPARE(page().session().ended(), ArmingBar::Operator);
@@ -693,6 +743,22 @@ void TestFlight::gamepadSteersAndItsLossDisarms()
 }
 
 // The program disarms, sets the value, and waits for a new arming.
+// A palette or a question has the keyboard while it is armed.
+void TestFlight::spaceDisarmsWhereverTheKeyboardIs()
+{
+    QVERIFY(arm());
+    window().showPalette();
+    QLineEdit *field = window().commandPalette()->input();
+    QTRY_VERIFY(field->hasFocus());
+    QTest::keyClick(field, Qt::Key_Space);
+    QVERIFY(isSoon(m_rig->client().roles().armed, 0));
+    QCOMPARE(page().session().ended(), ArmingBar::Operator);
+    QVERIFY(field->text().isEmpty());
+    QTest::keyClick(field, Qt::Key_Space);  // of no meaning any more
+    QCOMPARE(field->text(), u" "_s);
+    QTest::keyClick(field, Qt::Key_Escape);
+}
+
 void TestFlight::gainsDisarmFirst()
 {
     LiveModel &live = m_rig->workspace().live();

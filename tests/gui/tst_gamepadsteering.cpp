@@ -37,6 +37,7 @@ private slots:
     void cleanup();
     void sticksAreAssignedByMovingThem();
     void aButtonIsAssignedByPressingIt();
+    void whatIsHalfAssignedIsTakenBack();
     void aSkippedStickStaysUnassigned();
     void whatIsMissingIsSaidOnThePage();
     void theStickSteersWhileArmed();
@@ -141,10 +142,12 @@ void TestGamepadSteering::sticksAreAssignedByMovingThem()
         {{1, -1.0}, {2, 1.0}, {3, -1.0}, {0, 0.9}, {5, 1.0}}};
     for (const auto &[axis, way] : moves) {
         QTRY_VERIFY(texts().contains(u"Push the stick"_s));
-        m_pads->move(axis, way);
+        // Let go of late: the way back of the stick before is not meant.
+        for (std::size_t other = 0; other < FakeGamepads::kAxes; ++other)
+            m_pads->move(int(other), int(other) == axis ? way : 0);
         QTRY_VERIFY(!texts().contains(u"Push the stick"_s));
-        m_pads->move(axis, 0);
     }
+    m_pads->move(5, 0);
     QVERIFY(!page->isUnderWay());
     const GamepadMapping mapping = workspace().gamepad().mapping();
     for (std::size_t i = 0; i < kGamepadSticks; ++i) {
@@ -177,6 +180,27 @@ void TestGamepadSteering::aButtonIsAssignedByPressingIt()
     m_pads->press(6, true);
     QTRY_VERIFY(!page->isUnderWay());
     QCOMPARE(workspace().gamepad().mapping()[GamepadButton::Disarm], 6);
+}
+
+void TestGamepadSteering::whatIsHalfAssignedIsTakenBack()
+{
+    assignAll();
+    m_pads->plug();
+    auto *page = m_rig->page<GamepadPage>();
+    QTRY_VERIFY(workspace().gamepad().reading().has_value());
+    const GamepadMapping before = workspace().gamepad().mapping();
+    page->assignAll();
+    const auto labels = page->findChildren<QLabel *>();
+    QTRY_VERIFY(std::any_of(labels.begin(), labels.end(),
+                            [](const QLabel *label) { return label->text().contains(u"Push the stick"_s); }));
+    m_pads->move(kYawAxis, 1);  // for the throttle
+    QTRY_VERIFY(workspace().gamepad().mapping() != before);
+    for (auto *button : page->findChildren<QPushButton *>()) {
+        if (button->text() == u"Cancel"_s)
+            button->click();
+    }
+    QVERIFY(!page->isUnderWay());
+    QCOMPARE(workspace().gamepad().mapping(), before);
 }
 
 void TestGamepadSteering::aSkippedStickStaysUnassigned()

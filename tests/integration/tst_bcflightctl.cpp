@@ -6,6 +6,7 @@
 
 #include <QElapsedTimer>
 #include <QJsonArray>
+#include <QNetworkDatagram>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -25,6 +26,7 @@ private slots:
     void theDayOfADrone();
     void theDayOverALossyNetwork();
     void anotherGroundIsTold();
+    void stopIsSentBeforeItIsKnown();
     void theLinkIsMeasured();
     void tcpBesideUdp();
     void textThatIsNoLuaIsRefused();
@@ -217,6 +219,28 @@ void TestBcflightCtl::anotherGroundIsTold()
     QVERIFY2(run.json().value(u"otherStation"_s).toBool(), qPrintable(run.out));
 }
 
+// A drone whose answers go to another ground, or are late: it need not be known to be stopped.
+void TestBcflightCtl::stopIsSentBeforeItIsKnown()
+{
+    QUdpSocket drone;
+    QVERIFY(drone.bind(QHostAddress::LocalHost, 0));
+    int stops = 0;
+    connect(&drone, &QUdpSocket::readyRead, this, [&] {
+        while (drone.hasPendingDatagrams())
+            stops += drone.receiveDatagram().data() == QByteArray::fromHex("0047") ? 1 : 0;
+    });
+    const QString link = u"udp://127.0.0.1:%1"_s.arg(drone.localPort());
+    Running stop(m_dir->path(), {u"--family"_s, u"bcflight"_s, u"--link"_s, link, u"motors"_s, u"off"_s});
+    QTRY_VERIFY(stops >= 10);
+    const Run run = stop.finish();
+    QCOMPARE(run.exitCode, 1);  // nobody has seen it
+    // Nothing else stops anything unasked.
+    stops = 0;
+    Running other(m_dir->path(), {u"--family"_s, u"bcflight"_s, u"--link"_s, link, u"info"_s});
+    QCOMPARE(other.finish().exitCode, 1);
+    QCOMPARE(stops, 0);
+}
+
 void TestBcflightCtl::theLinkIsMeasured()
 {
     const SimProcess drone({u"--udp"_s, u"0"_s, u"--fault"_s, u"late=40"_s}, u"bcflight"_s);
@@ -311,7 +335,7 @@ void TestBcflightCtl::textIsReadComparedAndWritten()
     QCOMPARE(ctl(link + QStringList{u"config"_s, u"read"_s, u"-"_s}).out.toUtf8(), other);
     // In use as well, and shown as it stands there.
     const Run gain = ctl(link + QStringList{u"get"_s, u"pid.roll.p"_s});
-    QVERIFY2(gain.err.contains(u"pid.roll.p is 99 in the configuration text"_s), qPrintable(gain.err));
+    QVERIFY2(gain.err.contains(u"pid.roll.p stands as 99 in the configuration text"_s), qPrintable(gain.err));
     QVERIFY(gain.out.trimmed().toDouble() > 0.0015);
     QVERIFY(ctl(link + QStringList{u"list"_s, u"pid.roll.p"_s}).out.contains(u"99 in the text"_s));
 }

@@ -193,6 +193,9 @@ void TestArming::eachConditionKeepsItDisarmed_data()
     row("throttle", Bar::Throttle, [](Pilot &pilot) { pilot.sticks.throttle = 0.01; });
     row("at work", Bar::Busy, [](Pilot &pilot) { pilot.known.isBusy = true; });
     row("being stopped", Bar::Stopping, [](Pilot &pilot) { pilot.known.isStopping = true; });
+    row("pushed", Bar::Pushed, [](Pilot &pilot) { pilot.sticks.pushed = 0.2; });
+    row("no stick for it", Bar::Unassigned, [](Pilot &pilot) { pilot.sticks.isComplete = false; });
+    row("another ground", Bar::Shared, [](Pilot &pilot) { pilot.known.isShared = true; });
     row("dead sticks", Bar::NoSticks, [](Pilot &pilot) { pilot.isFresh = false; });
 }
 
@@ -237,7 +240,8 @@ void TestArming::eachConditionDisarms()
     QVERIFY(pilot.arm());
     // What concerns only the moment of arming disarms nothing that flies.
     if (Bar(wanted) == Bar::ArmedElsewhere || Bar(wanted) == Bar::MotorsTurn || Bar(wanted) == Bar::Unchecked
-        || Bar(wanted) == Bar::Throttle) {
+        || Bar(wanted) == Bar::Throttle || Bar(wanted) == Bar::Pushed || Bar(wanted) == Bar::Unassigned
+        || Bar(wanted) == Bar::Shared) {
         change(pilot);
         pilot.steps(2s);
         QCOMPARE(pilot.sent, Send::Armed);
@@ -573,6 +577,12 @@ void TestArming::directionsAreFoundStepByStep()
     tilt(check, {4, 22, 0});
     QCOMPARE(check.sight(), Sight::Other);
     QCOMPARE(check.stepNumber(), 0);
+    // Turned on the spot and held level, it begins from there.
+    check = DirectionCheck();
+    check.feedAngles({0, 0, 0});
+    check.feedAngles({0, 0, 40});
+    check.feedAngles({20, 0, 40});
+    QCOMPARE(check.sight(), Sight::Seen);
     check = DirectionCheck({CheckedDirections::Level::Nothing, {}, {}});
     for (int axis = 0; axis < 3; ++axis) {
         DirectionCheck::Axes angles{};
@@ -725,8 +735,11 @@ void TestArming::driftIsNoAnswer()
 
 void TestArming::foundIsKept()
 {
-    const CheckedDirections found{CheckedDirections::Level::Signs, {1, -1, 1}, {-1, 1, -1}};
+    const CheckedDirections found{CheckedDirections::Level::Signs, {1, -1, 1}, {-1, 1, -1}, {1, -1, -1}};
     QCOMPARE(CheckedDirections::decode(found.encode()), found);
+    // As earlier versions kept it.
+    QCOMPARE(CheckedDirections::decode("2+-+--+"),
+             (CheckedDirections{CheckedDirections::Level::All, {1, -1, 1}, {-1, -1, 1}, {1, 1, 1}}));
     QCOMPARE(DirectionCheck(found).stepNumber(), 6);
     for (const char *junk : {"", "3++++++", "2+++", "x++++++", "2+++++++"})
         QCOMPARE(CheckedDirections::decode(junk).level, CheckedDirections::Level::Nothing);

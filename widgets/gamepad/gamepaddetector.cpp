@@ -21,13 +21,18 @@ std::optional<GamepadDetector::Found> GamepadDetector::look(const GamepadReading
     }
     if (m_ready)
         return m_wanted == Wanted::Axis ? movedAxis(reading) : pressedButton(reading);
-    const bool isStill = std::equal(reading.axes.begin(), reading.axes.end(), m_rest.axes.begin(),
-                                    [](double is, double was) { return std::abs(is - was) <= kStill; })
-        && reading.buttons == m_rest.buttons;
+    bool isStill = reading.buttons == m_rest.buttons;
+    for (std::size_t i = 0; i < reading.axes.size(); ++i)
+        isStill &= isTaken(i) || std::abs(reading.axes[i] - m_rest.axes[i]) <= kStill;
     if (!isStill)
         begin(reading, now);
     m_ready = now - m_restSince >= kRest;
     return {};
+}
+
+bool GamepadDetector::isTaken(std::size_t axis) const
+{
+    return std::find(m_taken.begin(), m_taken.end(), int(axis)) != m_taken.end();
 }
 
 std::optional<GamepadDetector::Found> GamepadDetector::movedAxis(const GamepadReading &reading) const
@@ -36,6 +41,8 @@ std::optional<GamepadDetector::Found> GamepadDetector::movedAxis(const GamepadRe
     double way = 0;
     double next = 0;  // the way of the one that went second farthest
     for (std::size_t i = 0; i < reading.axes.size(); ++i) {
+        if (isTaken(i))
+            continue;
         const double moved = reading.axes[i] - m_rest.axes[i];
         if (std::abs(moved) > std::abs(way)) {
             next = std::abs(way);

@@ -24,8 +24,10 @@ public:
         friend bool operator==(const Found &, const Found &) = default;
     };
 
-    explicit GamepadDetector(Wanted wanted)
+    /// @param taken axes that mean something else already: they may move back meanwhile
+    explicit GamepadDetector(Wanted wanted, std::vector<int> taken = {})
         : m_wanted(wanted)
+        , m_taken(std::move(taken))
     {
     }
     /// Looks at one reading more. Another pad begins anew.
@@ -38,7 +40,10 @@ private:
     [[nodiscard]] std::optional<Found> movedAxis(const GamepadReading &reading) const;
     [[nodiscard]] std::optional<Found> pressedButton(const GamepadReading &reading) const;
 
+    [[nodiscard]] bool isTaken(std::size_t axis) const;
+
     Wanted m_wanted;
+    std::vector<int> m_taken;
     GamepadReading m_rest;
     TimePoint m_restSince{};
     bool m_ready = false;

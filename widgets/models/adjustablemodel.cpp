@@ -132,7 +132,10 @@ QVariant AdjustableModel::data(const QModelIndex &index, int role) const
     case NumberColumn: return spec.id;
     case NameColumn: return tableText(spec.label);
     case GroupColumn: return tableText(spec.group);
-    case ValueColumn: return value ? numberText(plainNumber(*value)) : u"–"_s;
+    case ValueColumn:  // all digits of a fraction would only be cut off
+        return !value                      ? u"–"_s
+            : *value == std::trunc(*value) ? numberText(plainNumber(*value))
+                                           : shortNumberText(*value);
     case MeaningColumn: return meaning(index.row());
     case RangeColumn:
         return tr("%1 to %2").arg(numberText(plainNumber(spec.min)), numberText(plainNumber(spec.max)));

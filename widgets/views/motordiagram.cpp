@@ -75,6 +75,14 @@ void MotorDiagram::setMotors(int count, const std::vector<MotorShare> &shares)
     tell();
 }
 
+void MotorDiagram::setSidesKnown(bool known)
+{
+    if (std::exchange(m_areSidesKnown, known) == known)
+        return;
+    explain();
+    update();
+}
+
 void MotorDiagram::setOutputs(const std::vector<double> &outputs)
 {
     std::vector<double> shown(m_outputs.size(), qQNaN());
@@ -136,10 +144,12 @@ QString MotorDiagram::outputText(int motor) const
 
 void MotorDiagram::explain()
 {
-    setToolTip(hasPlaces() ? tr("Places and directions follow from the signs of the mixing in the "
-                                "configuration text. The protocol does not tell which side is the front, "
-                                "and which of the two directions is clockwise: compare with the drone.")
-                           : QString());
+    setToolTip(
+        m_areSidesKnown && hasPlaces() ? tr("Seen from above, as the check of directions has found it.")
+            : hasPlaces() ? tr("Places and directions follow from the signs of the mixing in the "
+                               "configuration text. The protocol does not tell which side is the front, "
+                               "and which of the two directions is clockwise: compare with the drone.")
+                          : QString());
 }
 
 void MotorDiagram::tell()
@@ -256,11 +266,13 @@ void MotorDiagram::drawFrame(QPainter &painter) const
                                 at.y() - line / 2.0, wide, line),
                          Qt::AlignCenter, text);
     };
-    label(tr("pitch +"), {middle.x(), middle.y() - half - line / 2.0}, Axis::Pitch);
-    label(tr("pitch −"), {middle.x(), middle.y() + half + line / 2.0}, Axis::Pitch);
+    label(m_areSidesKnown ? tr("front") : tr("pitch +"), {middle.x(), middle.y() - half - line / 2.0},
+          Axis::Pitch);
+    label(m_areSidesKnown ? tr("rear") : tr("pitch −"), {middle.x(), middle.y() + half + line / 2.0},
+          Axis::Pitch);
     const double beside = middle.y() - line / 2.0 - 3;
-    label(tr("roll −"), {middle.x() - half, beside}, Axis::Roll);
-    label(tr("roll +"), {middle.x() + half, beside}, Axis::Roll);
+    label(m_areSidesKnown ? tr("left") : tr("roll −"), {middle.x() - half, beside}, Axis::Roll);
+    label(m_areSidesKnown ? tr("right") : tr("roll +"), {middle.x() + half, beside}, Axis::Roll);
 }
 
 // Half an arrow around the ring.

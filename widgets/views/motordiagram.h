@@ -12,7 +12,8 @@
 
 /// The motors of a flying machine, each at the place that the board's mixing gives it: its number, how much
 /// it is driven, and the group of those that turn the same way. Where nobody knows the places, numbered bars.
-/// The signs of the axes are the board's own: which of them is the front, or clockwise, is not told.
+/// The signs of the axes are the board's own: which of them is the front, or clockwise, is not told, unless
+/// somebody has looked.
 class MotorDiagram final : public QWidget
 {
     Q_OBJECT
@@ -23,6 +24,10 @@ public:
     void setMotors(int count, const std::vector<MotorShare> &shares);
     [[nodiscard]] int count() const { return int(m_outputs.size()); }
     [[nodiscard]] bool hasPlaces() const { return !m_shares.empty(); }
+    /// Somebody has looked where the motors are: the picture's upper edge is the front, its right side the
+    /// right.
+    void setSidesKnown(bool known);
+    [[nodiscard]] bool areSidesKnown() const { return m_areSidesKnown; }
     /// Percent, in the order of the motors; NaN = not known.
     void setOutputs(const std::vector<double> &outputs);
     /// The motor that a test turns now, from 1; 0 = none.
@@ -75,4 +80,5 @@ private:
     QList<int> m_asked;
     int m_selected = 0;
     bool m_selectable = false;
+    bool m_areSidesKnown = false;
 };

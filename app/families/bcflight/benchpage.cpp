@@ -28,7 +28,7 @@ constexpr int kSideWidth = 460;
 constexpr int kMostNumber = 8;
 constexpr double kOffMiddle = 4;  // pixels
 
-// Where it is drawn: which side of the drone that is, only a look at it tells.
+// Where it is drawn; which side of the drone that is, only the check of directions tells.
 QString placeText(const MotorDiagram &motors, int motor)
 {
     const QPointF off = motors.placeOf(motor) - QRectF(motors.rect()).center();
@@ -37,6 +37,9 @@ QString placeText(const MotorDiagram &motors, int motor)
         return across < 0 ? BenchPage::tr("left")
             : across > 0  ? BenchPage::tr("right")
                           : BenchPage::tr("in the middle");
+    if (motors.areSidesKnown() && across != 0)
+        return off.y() < 0 ? (across < 0 ? BenchPage::tr("front left") : BenchPage::tr("front right"))
+                           : (across < 0 ? BenchPage::tr("rear left") : BenchPage::tr("rear right"));
     if (off.y() < 0)
         return across < 0 ? BenchPage::tr("top left")
             : across > 0  ? BenchPage::tr("top right")

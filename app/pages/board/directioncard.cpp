@@ -23,6 +23,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int kPerCent = 100;
+constexpr std::array kParts{&MotorShare::roll, &MotorShare::pitch, &MotorShare::yaw};
 
 using Kind = DirectionCheck::Kind;
 
@@ -53,6 +54,7 @@ DirectionCard::DirectionCard(Workspace &workspace, QWidget *parent)
                                   {tr("turned to the left"), 7}},
                                  this, tr("Simulated drone: your hands")))
     , m_begin(new QPushButton)
+    , m_anew(new QPushButton(tr("From the beginning…")))
     , m_cancel(new QPushButton(tr("Cancel the check")))
     , m_yes(new QPushButton(tr("Yes, those")))
     , m_no(new QPushButton(tr("No, others")))
@@ -66,6 +68,7 @@ DirectionCard::DirectionCard(Workspace &workspace, QWidget *parent)
     // Above what is said: while motors turn they stay where they are.
     auto *buttons = new QHBoxLayout;
     buttons->addWidget(m_begin);
+    buttons->addWidget(m_anew);
     buttons->addWidget(m_yes);
     buttons->addWidget(m_no);
     buttons->addStretch();
@@ -75,7 +78,8 @@ DirectionCard::DirectionCard(Workspace &workspace, QWidget *parent)
     content()->addWidget(m_sees);
     content()->addWidget(m_progress);
     content()->addWidget(m_hands);
-    connect(m_begin, &QPushButton::clicked, this, &DirectionCard::begin);
+    connect(m_begin, &QPushButton::clicked, this, [this] { begin(found()); });
+    connect(m_anew, &QPushButton::clicked, this, [this] { begin({}); });
     connect(m_cancel, &QPushButton::clicked, this, &DirectionCard::cancel);
     connect(m_yes, &QPushButton::clicked, this, [this] { answer(true); });
     connect(m_no, &QPushButton::clicked, this, [this] { answer(false); });
@@ -91,11 +95,11 @@ CheckedDirections DirectionCard::found() const
     return checkedDirections(m_workspace);
 }
 
-void DirectionCard::begin()
+void DirectionCard::begin(const CheckedDirections &known)
 {
     if (!m_workspace.client().isConnected() || axesKey(m_workspace).isEmpty())
         return;
-    m_check = DirectionCheck(found());
+    m_check = DirectionCheck(known);
     show();
     emit stepChanged();
 }
@@ -150,7 +154,8 @@ void DirectionCard::feed(const DirectionCheck::Axes &sticks, const Session &sess
     const bool isEnded = !m_check->step();
     const bool isNext = std::exchange(m_shownStep, m_check->stepNumber()) != m_check->stepNumber() || isEnded;
     if (isNext)
-        keepDirections(m_workspace, m_check->found());
+        keepDirections(m_workspace,
+                       isEnded && !m_check->failed() ? withMotors(m_check->found()) : m_check->found());
     if (isEnded) {
         const auto failed = m_check->failed();
         emit ending();
@@ -163,7 +168,7 @@ void DirectionCard::feed(const DirectionCheck::Axes &sticks, const Session &sess
                     "text, then check again."),
                  {}});
         else
-            m_workspace.notifications().notify(tr("All directions were found right."));
+            m_workspace.notifications().notify(tr("All directions are known: it may be flown."));
         cancel();
         return;
     }
@@ -207,10 +212,14 @@ void DirectionCard::show()
     m_progress->setValue(m_check ? kPerCent * m_check->stepNumber() / DirectionCheck::stepCount() : 0);
     m_hands->setVisible(m_check && m_workspace.isSimulated());
     m_begin->setVisible(!m_check);
-    m_begin->setText(level == Level::All ? tr("Check again…") : tr("Check directions…"));
+    m_begin->setText(level == Level::All         ? tr("Check again…")
+                         : level == Level::Signs ? tr("Go on with the check…")
+                                                 : tr("Check directions…"));
+    m_anew->setVisible(!m_check && level == Level::Signs);
     // Before that its angles are nothing (BCFlight errata 8.2).
     const bool isCalibrated = freshlyTold(m_workspace, m_workspace.roles().calibrated).value_or(false);
     m_begin->setEnabled(!axesKey(m_workspace).isEmpty() && isCalibrated);
+    m_anew->setEnabled(m_begin->isEnabled());
     m_begin->setToolTip(isCalibrated ? QString()
                                      : tr("Calibrate it first: its angles are not known before."));
     m_cancel->setVisible(m_check.has_value());
@@ -285,15 +294,30 @@ QString DirectionCard::lacking() const
 }
 
 // As many as the text lets answer, whatever its signs mean.
+std::vector<MotorShare> DirectionCard::shares() const
+{
+    const MotorLayout *layout = m_workspace.tables() ? m_workspace.tables()->motorLayout() : nullptr;
+    const ConfigurationModel &shown = m_workspace.configuration();
+    return layout && !shown.isEmpty() ? layout->motorShares(shown.board()) : std::vector<MotorShare>();
+}
+
+// What was answered tells where the picture's motors are.
+CheckedDirections DirectionCard::withMotors(CheckedDirections found) const
+{
+    const std::vector<MotorShare> all = shares();
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        double sum = 0;
+        for (const int motor : m_check->named()[axis])
+            sum += motor <= int(all.size()) ? all[std::size_t(motor - 1)].*kParts[axis] : 0;
+        found.motors[axis] = sum < 0 ? -1 : 1;
+    }
+    return found;
+}
+
 std::array<int, kAxisCount> DirectionCard::sizes() const
 {
     std::array<int, kAxisCount> sizes{};
-    const MotorLayout *layout = m_workspace.tables() ? m_workspace.tables()->motorLayout() : nullptr;
-    const ConfigurationModel &shown = m_workspace.configuration();
-    if (!layout || shown.isEmpty())
-        return sizes;
-    const std::vector<MotorShare> shares = layout->motorShares(shown.board());
-    constexpr std::array kParts{&MotorShare::roll, &MotorShare::pitch, &MotorShare::yaw};
+    const std::vector<MotorShare> shares = this->shares();
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         const auto count = [&](double sign) {
             return int(std::count_if(shares.begin(), shares.end(), [&](const MotorShare &share) {

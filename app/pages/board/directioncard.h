@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/workspace/workspace.h"
+#include "protocol/device/motorlayout.h"
 #include "protocol/procedure/directioncheck.h"
 #include "widgets/views/card.h"
 
@@ -27,7 +28,8 @@ public:
     [[nodiscard]] const DirectionCheck *check() const { return m_check ? &*m_check : nullptr; }
     /// It has to be armed without propellers for the step that is on.
     [[nodiscard]] bool wantsArmed() const { return m_check && m_check->isArmedStep(); }
-    void begin();
+    /// @param known what was found before; checking begins with what is missing
+    void begin(const CheckedDirections &known = {});
     void cancel();
     struct Session
     {
@@ -62,6 +64,8 @@ private:
     [[nodiscard]] QString question() const;
 
     [[nodiscard]] QString lacking() const;
+    [[nodiscard]] std::vector<MotorShare> shares() const;
+    [[nodiscard]] CheckedDirections withMotors(CheckedDirections found) const;
     [[nodiscard]] std::array<int, kAxisCount> sizes() const;
 
     Workspace &m_workspace;
@@ -74,6 +78,7 @@ private:
     QProgressBar *m_progress;
     SimulatedHands *m_hands;
     QPushButton *m_begin;
+    QPushButton *m_anew;
     QPushButton *m_cancel;
     QPushButton *m_yes;
     QPushButton *m_no;

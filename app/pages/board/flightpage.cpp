@@ -10,6 +10,7 @@
 #include "app/workspace/unwatchednote.h"
 #include "protocol/device/flight.h"
 #include "protocol/session/controlstream.h"
+#include "protocol/session/linkstatistics.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
@@ -319,6 +320,8 @@ ArmingSession::Known FlightPage::known() const
     known.isDriven = freshlyTold(workspace(), roles.outputs);
     known.isBusy = workspace().isAtWork() || workspace().isWriting();
     known.isStopping = client.isStopUnproven();
+    const auto &quality = client.statistics().quality;
+    known.isShared = quality && quality->isShared;
     using Level = CheckedDirections::Level;
     const Level level = m_directions->found().level;
     known.isChecked = m_directions->isChecking()
@@ -340,6 +343,7 @@ void FlightPage::press()
     workspace().notifications().settle(Concern::Stopped);
     m_gamepad->begin();
     m_session.press(m_begun);
+    qApp->installEventFilter(this);  // what disarms does so wherever the keyboard is
     m_ticks = 0;
     touch();
     const LinkAddress &address = workspace().client().address();
@@ -409,6 +413,7 @@ void FlightPage::disarm(ArmingBar why)
 void FlightPage::stopSending()
 {
     m_send.stop();
+    qApp->removeEventFilter(this);
     leaveSticks();
     m_gamepad->end();
     m_steps->cancel();
@@ -455,49 +460,9 @@ void FlightPage::open(bool held)
     showState();
 }
 
-void FlightPage::askToOpen()
-{
-    if (known().isArmed.value_or(false)) {
-        workspace().notifications().notify(tr("Not opened: %1").arg(barText(ArmingBar::ArmedElsewhere)),
-                                           Notice::Hint);
-        return;
-    }
-    QDialog *panel = askInPanel(
-        {tr("Open a control session?"),
-         tr("From then on this program can arm the drone and turn its motors. Stopping them, by the red "
-            "button, F12 or the space bar, makes it fall. Nobody may be within reach of a propeller."),
-         {{tr("The propellers are off"), [this] { open(false); }, true},
-          {tr("It is held in a test stand"), [this] { open(true); }, true}},
-         tr("Do not open")},
-        this);
-    connect(&workspace().client(), &DeviceClient::stateChanged, panel, &QDialog::reject);
-}
-
-void FlightPage::askToTune(bool wanted)
-{
-    const auto set = [this](bool held) {
-        m_tune->setChecked(held);
-        workspace().client().submit<void>([held](Channel &, Device &device) -> Result<void> {
-            if (device.flight())
-                device.flight()->setHeld(held);
-            return {};
-        });
-    };
-    if (!wanted) {
-        set(false);
-        return;
-    }
-    m_tune->setChecked(false);  // until it is answered
-    askInPanel({tr("Set values while it is armed?"),
-                tr("A wrong gain makes it swing at once, with its propellers turning. Only in a test stand "
-                   "that holds it, with nobody near."),
-                {{tr("It is held: allow it"), [set] { set(true); }, true}},
-                tr("Disarm first")},
-               this);
-}
-
 void FlightPage::showNow()
 {
+    showGamepad();
     showAttitude(workspace(), *m_attitude);
     showMotors(workspace(), *m_motors);
     m_motors->setAsked(m_directions->asked());
@@ -560,6 +525,9 @@ bool FlightPage::eventFilter(QObject *watched, QEvent *event)
         disarm(ArmingBar::Operator);
         return true;
     }
+    const auto *widget = qobject_cast<QWidget *>(watched);
+    if (!widget || (widget != this && !isAncestorOf(widget)))
+        return Page::eventFilter(watched, event);  // of the whole program, while it is armed
     if (event->type() == QEvent::WindowDeactivate)
         disarm(ArmingBar::Focus);
     if (isKey && watched != m_pad && givesToPad(watched, *static_cast<QKeyEvent *>(event)))

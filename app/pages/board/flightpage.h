@@ -84,6 +84,7 @@ private:
     void leaveSticks();
     void climb(TimePoint now);
     void stopSending();
+    void showGamepad();
     void showNow();
     void showState();
     void touch() { m_touched.start(); }

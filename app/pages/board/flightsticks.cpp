@@ -12,9 +12,11 @@
 #include <QComboBox>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QSignalBlocker>
 #include <QSlider>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace {
@@ -31,9 +33,15 @@ ArmingSession::Sticks FlightPage::sticks() const
         return {double(m_throttle->value()) / kFullStick, Clock::now()};
     const GamepadSnapshot pad = m_gamepad->seen();
     const bool isSame = m_session.phase() <= ArmingSession::Phase::Open || m_gamepad->isSteeredBy(pad);
-    const double throttle = pad.has(GamepadStick::Throttle) ? (pad[GamepadStick::Throttle] + 1) / 2
-                                                            : double(m_throttle->value()) / kFullStick;
-    return {throttle, pad.connected && pad.isSetUp && isSame ? pad.at : TimePoint{}};
+    ArmingSession::Sticks told{(pad[GamepadStick::Throttle] + 1) / 2,
+                               pad.connected && pad.isSetUp && isSame ? pad.at : TimePoint{}};
+    for (const GamepadStick stick :
+         {GamepadStick::Throttle, GamepadStick::Roll, GamepadStick::Pitch, GamepadStick::Yaw}) {
+        told.isComplete &= !pad.isSetUp || pad.has(stick);
+        if (stick != GamepadStick::Throttle)
+            told.pushed = std::max(told.pushed, std::abs(pad[stick]));
+    }
+    return told;
 }
 
 DirectionCheck::Axes FlightPage::pushed() const
@@ -50,15 +58,35 @@ void FlightPage::connectGamepad()
     connect(m_gamepad, &GamepadSteering::gone, this,
             [this] { disarm(m_gamepad->isChosen() ? ArmingBar::NoSticks : ArmingBar::Operator); });
     connect(m_gamepad, &GamepadSteering::armPressed, this, [this] {
-        if (m_session.phase() == ArmingSession::Phase::Open)
+        // Who arms with the gamepad has his hands there.
+        if (workspace().gamepad().mapping()[GamepadButton::Disarm] < 0)
+            workspace().notifications().notify(
+                tr("Not armed: no button of the gamepad disarms. Assign one on the page “Gamepad”."),
+                Notice::Attention);
+        else if (m_session.phase() == ArmingSession::Phase::Open)
             press();
     });
     connect(m_gamepad, &GamepadSteering::armReleased, this, &FlightPage::release);
     connect(m_gamepad, &GamepadSteering::disarmWanted, this, [this] { disarm(ArmingBar::Operator); });
     connect(m_gamepad->choice(), &QCheckBox::toggled, this, [this] {
         disarm(ArmingBar::Operator);
+        m_pad->reset();
+        m_yaw->setValue(0);
+        m_throttle->setValue(0);
         showNow();
     });
+}
+
+// What the gamepad pushes is seen on the screen, which steers nothing meanwhile.
+void FlightPage::showGamepad()
+{
+    if (!m_gamepad->isChosen())
+        return;
+    const GamepadSnapshot pad = m_gamepad->seen();
+    const QSignalBlocker blockers[]{QSignalBlocker(m_pad), QSignalBlocker(m_yaw), QSignalBlocker(m_throttle)};
+    m_pad->steer({pad[GamepadStick::Roll], pad[GamepadStick::Pitch]});
+    m_yaw->setValue(int(std::lround(kFullStick * pad[GamepadStick::Yaw])));
+    m_throttle->setValue(int(std::lround(kFullStick * (pad[GamepadStick::Throttle] + 1) / 2)));
 }
 
 SteeringSetpoint FlightPage::setpoint(bool isArmed) const

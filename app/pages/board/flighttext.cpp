@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page for flying says.
+// What the page for flying says and asks.
 #include "app/pages/board/flightpage.h"
+#include "app/workspace/question.h"
 #include "protocol/device/flight.h"
 #include "widgets/models/errortext.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QCheckBox>
+#include <QDialog>
 
 using namespace Qt::StringLiterals;
 
@@ -55,6 +57,11 @@ QString FlightPage::barText(ArmingBar bar)
     case ArmingBar::Busy: return tr("it is at work: a procedure or a write runs.");
     case ArmingBar::Stopping: return tr("its motors are being stopped, and it has not confirmed that.");
     case ArmingBar::Throttle: return tr("the throttle is not at zero.");
+    case ArmingBar::Pushed: return tr("a stick is not in its middle.");
+    case ArmingBar::Unassigned:
+        return tr(
+            "the gamepad has no stick for throttle, roll, pitch or yaw. Assign it on the page “Gamepad”.");
+    case ArmingBar::Shared: return tr("another ground station talks to it.");
     case ArmingBar::NoSticks: return tr("the sticks have told nothing for a quarter of a second.");
     case ArmingBar::Operator: return tr("by you.");
     case ArmingBar::NotArmed: return tr("it was told to arm, and did not say that it is armed.");
@@ -72,4 +79,45 @@ QString FlightPage::barText(ArmingBar bar)
     case ArmingBar::Failed: return tr("an error occurred.");
     }
     return {};
+}
+
+void FlightPage::askToOpen()
+{
+    if (known().isArmed.value_or(false)) {
+        workspace().notifications().notify(tr("Not opened: %1").arg(barText(ArmingBar::ArmedElsewhere)),
+                                           Notice::Hint);
+        return;
+    }
+    QDialog *panel = askInPanel(
+        {tr("Open a control session?"),
+         tr("From then on this program can arm the drone and turn its motors. Stopping them, by the red "
+            "button, F12 or the space bar, makes it fall. Nobody may be within reach of a propeller."),
+         {{tr("The propellers are off"), [this] { open(false); }, true},
+          {tr("It is held in a test stand"), [this] { open(true); }, true}},
+         tr("Do not open")},
+        this);
+    connect(&workspace().client(), &DeviceClient::stateChanged, panel, &QDialog::reject);
+}
+
+void FlightPage::askToTune(bool wanted)
+{
+    const auto set = [this](bool held) {
+        m_tune->setChecked(held);
+        workspace().client().submit<void>([held](Channel &, Device &device) -> Result<void> {
+            if (device.flight())
+                device.flight()->setHeld(held);
+            return {};
+        });
+    };
+    if (!wanted) {
+        set(false);
+        return;
+    }
+    m_tune->setChecked(false);  // until it is answered
+    askInPanel({tr("Set values while it is armed?"),
+                tr("A wrong gain makes it swing at once, with its propellers turning. Only in a test stand "
+                   "that holds it, with nobody near."),
+                {{tr("It is held: allow it"), [set] { set(true); }, true}},
+                tr("Disarm first")},
+               this);
 }

@@ -223,6 +223,8 @@ void GamepadPage::assignAll()
 {
     m_inTurn = true;
     m_wanted = 0;
+    m_taken.clear();
+    m_beforeTurn = m_gamepad.mapping();
     begin(GamepadDetector::Wanted::Axis);
 }
 
@@ -231,19 +233,27 @@ void GamepadPage::begin(GamepadDetector::Wanted wanted)
     if (!m_gamepad.reading())
         return;
     m_wantsButton = wanted == GamepadDetector::Wanted::Button;
-    m_detector.emplace(wanted);
+    m_detector.emplace(wanted, m_inTurn ? m_taken : std::vector<int>());
     updateTask();
 }
 
 void GamepadPage::next()
 {
     if (!m_inTurn || ++m_wanted >= kGamepadSticks)
-        cancel();
+        endTask();
     else
         begin(GamepadDetector::Wanted::Axis);
 }
 
+// What was assigned in turn so far is half of something.
 void GamepadPage::cancel()
+{
+    if (m_inTurn && m_detector && m_gamepad.mapping() != m_beforeTurn)
+        m_gamepad.setMapping(m_beforeTurn);
+    endTask();
+}
+
+void GamepadPage::endTask()
 {
     m_detector.reset();
     m_inTurn = false;
@@ -282,8 +292,10 @@ void GamepadPage::take(const GamepadDetector::Found &found)
     GamepadMapping mapping = m_gamepad.mapping();
     if (m_wantsButton)
         mapping.assign(GamepadButton(m_wanted), found.index);
-    else
+    else {
         mapping.assign(GamepadStick(m_wanted), found.index, found.negative);
+        m_taken.push_back(found.index);
+    }
     m_gamepad.setMapping(mapping);
     next();
 }

@@ -54,6 +54,7 @@ private:
     void begin(GamepadDetector::Wanted wanted);
     void next();
     void cancel();
+    void endTask();
     void look();
     void take(const GamepadDetector::Found &found);
     void fill();
@@ -79,5 +80,7 @@ private:
     std::size_t m_wanted = 0;  // the stick or button that is assigned
     bool m_wantsButton = false;
     bool m_inTurn = false;  // the next stick follows
+    std::vector<int> m_taken;  // axes that were assigned in this turn
+    GamepadMapping m_beforeTurn;
     bool m_filling = false;
 };

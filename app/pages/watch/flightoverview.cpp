@@ -58,6 +58,7 @@ FlightOverview::FlightOverview(Workspace &workspace, QWidget *parent)
     , m_calibrate(new QPushButton(tr("Calibrate (Actions)…")))
     , m_attitude(new AttitudeView(workspace.theme()))
     , m_hint(mutedHint({}))
+    , m_motorsHint(mutedHint({}))
     , m_motors(new MotorDiagram(workspace.theme()))
 {
     m_attitude->setAccessibleName(tr("Attitude of the drone"));
@@ -66,9 +67,7 @@ FlightOverview::FlightOverview(Workspace &workspace, QWidget *parent)
     attitude->content()->addWidget(m_hint);
     auto *motors = new Card(tr("Motors"));
     motors->content()->addWidget(m_motors, 1);
-    motors->content()->addWidget(
-        mutedHint(tr("What the drone commands, not what turns. Signs as in its mixing; which side is the "
-                     "front is not established.")));
+    motors->content()->addWidget(m_motorsHint);
     auto *pictures = new QHBoxLayout;
     pictures->setSpacing(12);
     pictures->addWidget(attitude, 1);
@@ -95,6 +94,12 @@ void FlightOverview::refresh()
                         : tr("Drawn as the drone tells it. Which sign leans which way is not established: "
                              "tilt it by hand and compare."));
     showMotors(m_workspace, *m_motors);
+    m_motorsHint->setText(
+        m_motors->areSidesKnown()
+            ? tr("What the drone commands, not what turns. Seen from above, as the check of "
+                 "directions has found it.")
+            : tr("What the drone commands, not what turns. Signs as in its mixing; which side "
+                 "is the front is not established."));
 }
 
 QList<std::pair<QString, QString>> flightFacts(Workspace &workspace)

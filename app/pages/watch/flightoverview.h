@@ -33,6 +33,7 @@ private:
     QPushButton *m_calibrate;
     AttitudeView *m_attitude;
     QLabel *m_hint;
+    QLabel *m_motorsHint;
     MotorDiagram *m_motors;
 };
 
