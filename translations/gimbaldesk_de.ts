@@ -18084,20 +18084,8 @@ Spitze %2°</translation>
         <translation>Sensoren</translation>
     </message>
     <message>
-        <source>Content of this MAVLink channel.</source>
-        <translation>Inhalt dieses MAVLink-Kanals.</translation>
-    </message>
-    <message>
         <source>List scripts</source>
         <translation>Skripte auflisten</translation>
-    </message>
-    <message>
-        <source>MAVLink channel %1: rate</source>
-        <translation>MAVLink-Kanal %1: Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Rate of the port while this MAVLink channel uses it.</source>
-        <translation>Geschwindigkeit des Anschlusses, solange dieser MAVLink-Kanal ihn benutzt.</translation>
     </message>
     <message>
         <source>Run script and follow it</source>
@@ -18110,6 +18098,22 @@ Spitze %2°</translation>
     <message>
         <source>The slots that hold a script, with its size.</source>
         <translation>Die Plätze, die ein Skript enthalten, mit seiner Größe.</translation>
+    </message>
+    <message>
+        <source>Rate and content of this MAVLink channel.</source>
+        <translation>Rate und Inhalt dieses MAVLink-Kanals.</translation>
+    </message>
+    <message>
+        <source>Rate bit 0</source>
+        <translation>Rate Bit 0</translation>
+    </message>
+    <message>
+        <source>Rate bit 1</source>
+        <translation>Rate Bit 1</translation>
+    </message>
+    <message>
+        <source>Rate bit 2</source>
+        <translation>Rate Bit 2</translation>
     </message>
 </context>
 <context>

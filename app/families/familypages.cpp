@@ -33,7 +33,7 @@ QList<PageEntry> familyPages()
 #if GIMBAL_WITH_SIMPLEBGC
     pages += {
         {"calibration", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<CalibrationPage>, nullptr, "simplebgc", "profiles"},
-        {"signals", QT_TRANSLATE_NOOP("Pages", "Signals"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<SignalsPage>, nullptr, "simplebgc", "calibration"},
+        {"signals", QT_TRANSLATE_NOOP("Pages", "Signals"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<SignalsPage>, nullptr, "simplebgc", "control"},
         {"autotune", QT_TRANSLATE_NOOP("Pages", "Auto-tune"), QT_TRANSLATE_NOOP("Pages", "Tune"), makePage<AutoTunePage>, nullptr, "simplebgc", "response"},
     };
 #endif

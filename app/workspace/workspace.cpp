@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workspace/workspace.h"
 
-#include "app/workspace/flightstate.h"
 #include "protocol/base/filefault.h"
 #include "protocol/record/configurationformats.h"
 #include "widgets/gamepad/gamepadmodule.h"
@@ -62,7 +61,6 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
         if (m_client.isConnected())
             m_gamepad.setUse(m_client.device()->flight() ? GamepadUse::Flight : GamepadUse::Camera);
     });
-    connect(&m_naming, &BoardNaming::changed, this, [this] { keepDirectionsByName(*this); });
     m_notifications.follow(m_journal);
     m_notifications.follow(m_recorder);
     // A write ends with storing; what else is in use it may leave so.

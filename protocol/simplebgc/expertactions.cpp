@@ -131,6 +131,7 @@ Result<ActionReply> Actions::i2cScan(const QVariantMap &arguments)
     progress.step = u"search-bus"_s;
     progress.total = kLastDevice - kFirstDevice + 1;
     QStringList found;
+    bool isHeard = false;  // anything, a refusal too
     for (int device = kFirstDevice; device <= kLastDevice; ++device) {
         // Its answer carries no address: a late one of the device before would be taken for this one's.
         bool answers = true;
@@ -140,6 +141,7 @@ Result<ActionReply> Actions::i2cScan(const QVariantMap &arguments)
                 && bytes.error().code != ErrorCode::BoardError)
                 return tl::unexpected(bytes.error());
             answers = bytes.has_value();
+            isHeard |= bytes || bytes.error().code == ErrorCode::BoardError;
         }
         if (answers)
             found.append(deviceText(device));
@@ -148,6 +150,8 @@ Result<ActionReply> Actions::i2cScan(const QVariantMap &arguments)
         if (m_channel.cancelled())
             return failure(ErrorCode::Cancelled);
     }
+    if (!isHeard)
+        return failure(ErrorCode::Timeout, u"I2C_READ_REG_BUF"_s);
     return ActionReply{{u"devices"_s, found.isEmpty() ? u"none"_s : found.join(u' ')}};
 }
 

@@ -8,7 +8,8 @@ namespace simplebgc {
 namespace {
 
 // clang-format off
-constexpr Choice kMavlinkFlags[] = {{0, "Even parity"}, {1, "Send heartbeat"}, {2, "Send debug data"}, {3, "RC channels"}};
+constexpr Choice kMavlinkFlags[] = {{0, "Rate bit 0"}, {1, "Rate bit 1"}, {2, "Rate bit 2"}, {3, "Even parity"},
+                                    {4, "Send heartbeat"}, {5, "Send debug data"}, {6, "RC channels"}};
 constexpr Choice kAutoPidFlags[] = {{0, "Roll"}, {1, "Pitch"}, {2, "Yaw"}, {3, "Report progress"},
                                     {4, "Start from current gains"}, {5, "Tune the low-pass filter"},
                                     {6, "All profiles"}};
@@ -49,13 +50,9 @@ constexpr ParameterRow kParamsExt2Rows[] = {
      .help = "Component ID of the gimbal; 154 is the standard one.",
      .block = ParamsExt2, .offset = 3, .count = 2, .countStride = 8, .defaults = {154}, .scope = Scope::Board,
      .since = 2600},
-    {.key = "mavlink.channel%n.speed", .label = "MAVLink channel %1: rate", .group = "MAVLink",
-     .help = "Rate of the port while this MAVLink channel uses it.",
-     .block = ParamsExt2, .offset = 4, .bitShift = 0, .bitCount = 3, .kind = ValueKind::Choice, .count = 2, .countStride = 8, .max = 7,
-     .choices = kSerialSpeeds, .scope = Scope::Board, .since = 2600},
     {.key = "mavlink.channel%n.flags", .label = "MAVLink channel %1: options", .group = "MAVLink",
-     .help = "Content of this MAVLink channel.",
-     .block = ParamsExt2, .offset = 4, .bitShift = 3, .bitCount = 5, .kind = ValueKind::Flags, .count = 2, .countStride = 8, .max = 31,
+     .help = "Rate and content of this MAVLink channel.",
+     .block = ParamsExt2, .offset = 4, .kind = ValueKind::Flags, .count = 2, .countStride = 8,
      .choices = kMavlinkFlags, .scope = Scope::Board, .since = 2600},
     {.key = "motor.%a.magnetic_link", .label = "Magnetic link", .group = "Motors",
      .help = "Stiffness of the motor's magnetic field as measured by calibration.",

@@ -287,6 +287,7 @@ void TestBcflightWindow::checkedIsADroneThatIsKnown()
             && QTest::qWaitFor([&] { return !axesKey(m_rig->workspace()).isEmpty(); }, kPatience);
     };
     QVERIFY(connected());
+    QVERIFY(m_rig->page<FlightPage>());
     const QString look = m_rig->client().identity().serial;
     CheckedDirections all;
     all.level = CheckedDirections::Level::All;

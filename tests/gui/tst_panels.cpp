@@ -60,8 +60,8 @@ constexpr PanelSite kSites[]{
     {nullptr, "app/mainwindow/leaving.cpp askAboutSteering"},  // of a board that does not answer
     // Of a drone, and of the same kind as the others: see tst_flight and tst_camerapage.
     {nullptr, "app/mainwindow/leaving.cpp askAboutArmed"},
-    {nullptr, "app/pages/board/flightpage.cpp askToOpen"},
-    {nullptr, "app/pages/board/flightpage.cpp askToTune"},
+    {nullptr, "app/pages/board/flighttext.cpp askToOpen"},
+    {nullptr, "app/pages/board/flighttext.cpp askToTune"},
     {nullptr, "app/families/bcflight/picturesettings.cpp openLens"},
     {nullptr, "app/workspace/filedialogs.cpp openBeside"},  // see fileDialogsLeaveTheMotorsInReach
     {nullptr, "app/workspace/filedialogs.cpp askToReplace"},  // comes after it; see tst_filedialogs

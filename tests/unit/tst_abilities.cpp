@@ -14,6 +14,7 @@
 #include "tests/support/toyfamily/toyboard.h"
 #include "tests/support/toyfamily/toydevice.h"
 
+#include <QTemporaryFile>
 #include <QTest>
 
 using namespace Qt::StringLiterals;
@@ -79,16 +80,30 @@ private:
 };
 
 /// Arguments that the action takes: its defaults, otherwise the lowest.
+/// One that can be read: what it is told to send by it is no reason to fail.
+QString someFile()
+{
+    static QTemporaryFile file;
+    if (file.open()) {
+        file.write("time,acc.x,acc.y,acc.z,roll,pitch\n0,0,0,1,0,0\n");
+        file.close();
+    }
+    return file.fileName();
+}
+
 QMap<QString, QString> someArguments(const ActionSpec &action)
 {
     QMap<QString, QString> texts;
     for (const ArgumentSpec &argument : action.arguments) {
         if (*argument.defaultText)
             continue;
-        texts.insert(QLatin1String(argument.key),
-                     argument.kind == ArgumentKind::Choice
-                         ? QString::fromUtf8(argument.choices.front().name)
-                         : QString::number(argument.min, 'f', 3).remove(u".000"_s));
+        if (qstrcmp(argument.key, "file") == 0)
+            texts.insert(u"file"_s, someFile());
+        else
+            texts.insert(QLatin1String(argument.key),
+                         argument.kind == ArgumentKind::Choice
+                             ? QString::fromUtf8(argument.choices.front().name)
+                             : QString::number(argument.min, 'f', 3).remove(u".000"_s));
     }
     return texts;
 }

@@ -20,7 +20,6 @@ private slots:
     void everyParameterIsComplete();
     void offsetsOfTheErrata_data();
     void offsetsOfTheErrata();
-    void mavlinkRateIsAChoice();
     void rampReadsAsTheErrataSays();
     void writesTouchOnlyTheirBits();
     void conversionsThereAndBack();
@@ -115,27 +114,6 @@ void TestTables::offsetsOfTheErrata()
     QVERIFY(spec);
     QCOMPARE(int(spec->row->block), block);
     QCOMPARE(spec->offset, offset);
-}
-
-// Errata 3.6: bits 0 to 2 of a byte whose others are flags.
-void TestTables::mavlinkRateIsAChoice()
-{
-    const ParameterSet set(parameterRows(), kBlocks, 2704, {});
-    const ParameterSpec *rate = set.find(u"mavlink.channel1.speed"_s);
-    const ParameterSpec *flags = set.find(u"mavlink.channel1.flags"_s);
-    QVERIFY(rate && flags);
-    QByteArray bytes(151, '\0');
-    bytes[4] = 0x2D;
-    QCOMPARE(*rate->read(bytes), 5);
-    const auto choices = rate->row->choices;
-    QVERIFY(std::any_of(choices.begin(), choices.end(), [](const Choice &choice) {
-        return choice.value == 5 && qstrcmp(choice.name, "256000") == 0;
-    }));
-    QCOMPARE(*flags->read(bytes), 5);
-    QVERIFY(rate->write(bytes, 4));
-    QCOMPARE(bytes[4], char(0x2C));
-    QVERIFY(flags->write(bytes, 8));
-    QCOMPARE(bytes[4], char(0x44));
 }
 
 void TestTables::rampReadsAsTheErrataSays()

@@ -28,6 +28,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int kResetWidth = 18;
+constexpr int kListMargin = 6;  // of the theme
 
 /// Its list is as wide as its texts: the field itself has no room for the long ones.
 class ChoiceBox final : public QComboBox
@@ -35,7 +36,8 @@ class ChoiceBox final : public QComboBox
 public:
     void showPopup() override
     {
-        const int wide = view()->sizeHintForColumn(0) + view()->verticalScrollBar()->sizeHint().width();
+        const int wide = view()->sizeHintForColumn(0) + view()->verticalScrollBar()->sizeHint().width()
+            + 2 * view()->frameWidth() + kListMargin;
         view()->setMinimumWidth(std::max(width(), wide));
         QComboBox::showPopup();
     }

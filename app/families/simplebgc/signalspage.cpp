@@ -24,6 +24,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr auto kAsk = 200ms;
+constexpr int kFormWidth = 680;
 constexpr int kInputsSince = 2600;  // READ_RC_INPUTS (errata 2)
 constexpr double kMiddle = 1500;  // of the inputs as telemetry reports them
 constexpr double kWay = 500;
@@ -49,9 +50,20 @@ SignalsPage::SignalsPage(Workspace &workspace, QWidget *parent)
     , m_note(new QLabel)
 {
     auto *map = new Card(tr("What is steered by which input"));
+    m_form->setMaximumWidth(kFormWidth);
     map->content()->addWidget(m_form);
-    body()->addWidget(map);
-    body()->addWidget(makeLive(), 1);
+    auto *cards = new QWidget;
+    auto *column = new QVBoxLayout(cards);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(12);
+    column->addWidget(map);
+    column->addWidget(makeLive());
+    column->addStretch(1);
+    auto *scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidget(cards);
+    body()->addWidget(scroll, 1);
     connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &SignalsPage::onState);
     refreshWhileShown(
         kAsk, [this] { ask(); }, [this] { return m_open > 0 || !this->workspace().client().isConnected(); });
@@ -70,12 +82,7 @@ QWidget *SignalsPage::makeLive()
     auto *column = new QVBoxLayout(rows);
     column->setContentsMargins(0, 0, 0, 0);
     column->addLayout(m_live);
-    column->addStretch(1);
-    auto *scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidget(rows);
-    live->content()->addWidget(scroll, 1);
+    live->content()->addWidget(rows);
     live->content()->addWidget(m_note);
     coverWhenStale(*rows, {});
     return live;

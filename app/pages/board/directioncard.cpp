@@ -84,6 +84,10 @@ DirectionCard::DirectionCard(Workspace &workspace, QWidget *parent)
     connect(m_yes, &QPushButton::clicked, this, [this] { answer(true); });
     connect(m_no, &QPushButton::clicked, this, [this] { answer(false); });
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &DirectionCard::cancel);
+    connect(&workspace.naming(), &BoardNaming::changed, this, [this] {
+        keepDirectionsByName(m_workspace);
+        show();
+    });
     connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, [this] { show(); });
     show();
 }
