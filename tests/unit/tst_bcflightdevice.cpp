@@ -96,6 +96,7 @@ private slots:
     void textIsRefused();
     void motorTestNeedsACountAndCalibration();
     void deafDroneIsLeftAlone();
+    void cancelledTestIsWaitedFor();
     void calibrationIsFollowed();
     void calibrationIsNotLostWithAPacket();
     void textIsNotSentAgainToAnArmedDrone();
@@ -496,6 +497,22 @@ void TestBcflightDevice::motorTestNeedsACountAndCalibration()
     const auto turned = rig.perform("motor.test", {{u"motor"_s, u"3"_s}});
     QVERIFY2(turned, turned ? "" : qPrintable(turned.error().detail));
     QVERIFY(!rig.board().isLost() && !rig.board().isArmed());
+}
+
+// Nobody can call it back: who cancels is told when it is over, and nothing queues up behind it.
+void TestBcflightDevice::cancelledTestIsWaitedFor()
+{
+    Rig rig;
+    QVERIFY(rig.identify());
+    QVERIFY(rig.perform("calibrate.all"));
+    const TimePoint begin = rig.channel.now();
+    rig.channel.cancelAfter(1s);
+    const auto cancelled = rig.perform("motor.test", {{u"motor"_s, u"1"_s}});
+    QVERIFY(!cancelled);
+    QCOMPARE(cancelled.error().code, ErrorCode::Cancelled);
+    QVERIFY2(cancelled.error().detail.contains(u"has carried it out"_s),
+             qPrintable(cancelled.error().detail));
+    QVERIFY(rig.channel.now() - begin >= 8s);
 }
 
 // What is sent meanwhile would be carried out afterwards, in a burst.
