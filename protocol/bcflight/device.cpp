@@ -33,7 +33,8 @@ constexpr auto kLost = 3s;
 constexpr auto kTogether = 150ms;  // what is answered in one packet has come by then
 constexpr int kSizeOfFloat = 4;
 constexpr int kUploads = 3;
-constexpr auto kLeaves = 10s;  // fixed waits of about 4 s before it restarts (errata 7.3)
+constexpr auto kLeaves
+    = 20s;  // fixed waits of about 4 s before it restarts (errata 7.3); a busy computer is slower
 constexpr auto kComesBack = 20s;
 
 constexpr std::array kFactors{Message::RollPidFactors, Message::PitchPidFactors, Message::YawPidFactors};

@@ -11,6 +11,7 @@
 #include "tests/support/watcheddrone.h"
 
 #include <QTemporaryDir>
+#include <QTemporaryFile>
 #include <QTest>
 
 #include <algorithm>
@@ -152,6 +153,17 @@ void TestBcflightSafety::uploadsNeedWholePackets()
     QVERIFY(rig.device.writeAdjustables(rig.channel, {{0, 0.002}}));
     QVERIFY(!rig.perform("gains.store"));
     QVERIFY(!rig.hasSent("0071"));
+    QTemporaryFile firmware;
+    QVERIFY(firmware.open());
+    QByteArray image;
+    for (int i = 0; i < 3000; ++i)
+        image.append(char(i * 37 + i / 256));
+    QCOMPARE(firmware.write(image), image.size());
+    firmware.close();
+    const auto uploaded = rig.perform("firmware.upload", {{u"file"_s, firmware.fileName()}});
+    QVERIFY(!uploaded);
+    QCOMPARE(uploaded.error().code, ErrorCode::Unsupported);
+    QVERIFY(!rig.hasSent("0072"));
 }
 
 void TestBcflightSafety::olderOnesAreToldNothing_data()
