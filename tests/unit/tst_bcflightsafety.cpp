@@ -123,6 +123,7 @@ private slots:
     void stopSaysBothAndIsRepeated();
     void stopIsNotBelievedByItself();
     void brokenLinkProvesNoStop();
+    void drivenOutputsProveNoStop();
     void lostAnswersMakeNoOldDrone();
     void standingIsProvenByBoth();
     void textIsNeverRun();
@@ -412,6 +413,49 @@ void TestBcflightSafety::brokenLinkProvesNoStop()
     const auto stopped = rig.device.perform(channel, u"motors.off"_s, {});
     QVERIFY(!stopped);
     QCOMPARE(stopped.error().code, ErrorCode::LinkClosed);
+}
+
+// It says that it is disarmed, and drives them all the same.
+void TestBcflightSafety::drivenOutputsProveNoStop()
+{
+    struct Driven final : Mailbox
+    {
+        explicit Driven(Frame told)
+            : frame(std::move(told))
+        {
+        }
+        Result<Frame> next(milliseconds) override { return frame; }
+        Frame frame;
+    };
+    struct Driving final : ChannelProxy
+    {
+        using ChannelProxy::ChannelProxy;
+        std::unique_ptr<Mailbox> listen(std::function<bool(const FrameView &)>) override
+        {
+            return std::make_unique<Driven>(told);
+        }
+        Frame told;
+    };
+    Rig rig;
+    QVERIFY(rig.calibrate());
+    const auto outputs
+        = rig.channel.listen([](const FrameView &frame) { return frame.id == int(Message::MotorsSpeed); });
+    Driving channel(rig.channel);
+    const auto turns = [&] {
+        const auto frame = outputs->next(1s);
+        if (frame)
+            channel.told = *frame;
+        return frame && areDriven(outputsIn(asBytes(frame->payload)));
+    };
+    QVERIFY(rig.arm());
+    while (!turns() && rig.channel.now() < TimePoint() + 2h)
+        rig.channel.steer(rig.device.steering()->controlFrames({1, {0.4, 0, 0, 0}, {1}}));
+    QVERIFY(areDriven(outputsIn(asBytes(channel.told.payload))));
+    rig.channel.releaseControl();
+    const auto stopped = rig.device.perform(channel, u"motors.off"_s, {});
+    QVERIFY(!stopped);
+    QCOMPARE(stopped.error().code, ErrorCode::NotProven);
+    QVERIFY2(stopped.error().detail.contains(u"though disarmed"_s), qPrintable(stopped.error().detail));
 }
 
 // Its generation is told by what it answers: four answers that are lost are not its age.
