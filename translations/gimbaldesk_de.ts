@@ -4810,6 +4810,10 @@
         <source>another ground station talks to it.</source>
         <translation>eine andere Bodenstation spricht mit ihr.</translation>
     </message>
+    <message>
+        <source>Not armed: a question or a list is open over this page.</source>
+        <translation>Nicht scharf geschaltet: über dieser Seite ist eine Frage oder eine Liste offen.</translation>
+    </message>
 </context>
 <context>
     <name>FootBar</name>

@@ -84,29 +84,43 @@ QByteArray handsKey(Workspace &workspace)
     return text;
 }
 
-}  // namespace
+// What was answered about the drone itself, whatever its sticks were pushed with.
+const QByteArray kDroneAlone = "-drone";
 
-CheckedDirections checkedDirections(Workspace &workspace)
+CheckedDirections directionsKept(Workspace &workspace, const QByteArray &hands)
 {
     const QByteArray key = axesKey(workspace);
     if (key.isEmpty())
         return {};
-    const QByteArray hands = handsKey(workspace);
     const QString board = workspace.naming().lastingKey();
     return CheckedDirections::decode(
         board.isEmpty() ? workspace.naming().untilReconnected().value(hands + ' ' + key)
                         : workspace.settings().checkedDirections(board + QString::fromLatin1(hands), key));
 }
 
+}  // namespace
+
+CheckedDirections checkedDirections(Workspace &workspace)
+{
+    return directionsKept(workspace, handsKey(workspace));
+}
+
+CheckedDirections droneDirections(Workspace &workspace)
+{
+    return directionsKept(workspace, kDroneAlone);
+}
+
 void keepDirections(Workspace &workspace, const CheckedDirections &found)
 {
-    const QByteArray hands = handsKey(workspace);
+    const QByteArray key = axesKey(workspace);
     const QString board = workspace.naming().lastingKey();
-    if (board.isEmpty())
-        workspace.naming().untilReconnected().insert(hands + ' ' + axesKey(workspace), found.encode());
-    else
-        workspace.settings().setCheckedDirections(board + QString::fromLatin1(hands), axesKey(workspace),
-                                                  found.encode());
+    for (const QByteArray &hands : {handsKey(workspace), kDroneAlone}) {
+        if (board.isEmpty())
+            workspace.naming().untilReconnected().insert(hands + ' ' + key, found.encode());
+        else
+            workspace.settings().setCheckedDirections(board + QString::fromLatin1(hands), key,
+                                                      found.encode());
+    }
 }
 
 void keepDirectionsByName(Workspace &workspace)
@@ -136,7 +150,7 @@ double flightAngle(const Workspace &workspace, std::size_t axis)
 std::array<double, kAxisCount> shownAngles(Workspace &workspace)
 {
     // Found is what grows with the nose down; a horizon is drawn by what grows with the nose up.
-    const CheckedDirections found = checkedDirections(workspace);
+    const CheckedDirections found = droneDirections(workspace);
     const bool isFound = found.level != CheckedDirections::Level::Nothing;
     const double up = isFound ? -found.angles[1] : 1;
     return {found.angles[0] * flightAngle(workspace, 0), up * flightAngle(workspace, 1),
@@ -167,7 +181,7 @@ void showMotors(Workspace &workspace, MotorDiagram &diagram)
     const ConfigurationModel &model = workspace.configuration();
     std::vector<MotorShare> shares
         = layout && !model.isEmpty() ? layout->motorShares(model.board()) : std::vector<MotorShare>();
-    const CheckedDirections found = checkedDirections(workspace);
+    const CheckedDirections found = droneDirections(workspace);
     for (MotorShare &share : shares) {
         share.roll *= found.motors[0];
         share.pitch *= found.motors[1];

@@ -22,6 +22,8 @@ class Workspace;
 [[nodiscard]] QByteArray axesKey(const Workspace &workspace);
 /// What a check of its directions has found, if there was one since that has changed.
 [[nodiscard]] CheckedDirections checkedDirections(Workspace &workspace);
+/// What it has found of the drone itself: its angles and where its motors are; its sticks may not hold.
+[[nodiscard]] CheckedDirections droneDirections(Workspace &workspace);
 /// Keeps it for this board; until the next connection where nobody has said which one it is.
 void keepDirections(Workspace &workspace, const CheckedDirections &found);
 /// The board has a name now: what was kept until the next connection is kept with it.

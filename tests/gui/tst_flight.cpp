@@ -582,10 +582,7 @@ void TestFlight::horizonIsDrawnAsFound()
         return 0.0;
     };
     for (const bool growsDown : {true, false}) {
-        m_rig->settings().setCheckedDirections(
-            m_rig->client().identity().serial,
-            m_rig->client().device()->flight()->axesKey(std::as_const(m_rig->model()).board()),
-            growsDown ? "2++++++" : "2+-++++");
+        keepDirections(m_rig->workspace(), CheckedDirections::decode(growsDown ? "2++++++" : "2+-++++"));
         // What grows with the nose down and has grown: the nose is down.
         const bool isDown = growsDown != isNegative;
         QTRY_VERIFY2_WITH_TIMEOUT(isDown ? drawn() < -20 : drawn() > 20,
@@ -658,6 +655,8 @@ void TestFlight::gamepadSteersAndItsLossDisarms()
     mapping[GamepadStick::Roll].inverted = true;
     gamepad.setMapping(mapping);
     QTRY_VERIFY(says(u"directions have not been checked"_s));
+    // What was found of the drone itself stays.
+    QVERIFY(page().findChild<MotorDiagram *>()->areSidesKnown());
     mapping[GamepadStick::Roll].inverted = false;
     mapping[GamepadStick::Throttle].axis = -1;
     gamepad.setMapping(mapping);
@@ -673,6 +672,16 @@ void TestFlight::gamepadSteersAndItsLossDisarms()
     mapping[GamepadButton::Disarm] = 1;
     gamepad.setMapping(mapping);
     QTRY_VERIFY(says(u"Ready"_s));
+    // Nor does it arm behind a list or a question.
+    window().showPalette();
+    QTRY_VERIFY(window().commandPalette()->isVisible());
+    m_pads.press(0, true);
+    QVERIFY(m_rig->boardGoesOn(1.5));
+    m_pads.press(0, false);
+    QVERIFY(!isArmed());
+    QCOMPARE(page().session().phase(), Phase::Open);
+    QTest::keyClick(window().commandPalette()->input(), Qt::Key_Escape);
+    QTRY_VERIFY(!window().commandPalette() || !window().commandPalette()->isVisible());
     const auto armByPad = [&] {
         m_pads.press(0, true);
         const bool armed

@@ -338,6 +338,12 @@ void FlightPage::press()
         workspace().notifications().notify(tr("Not armed: %1").arg(barText(bar)), Notice::Hint);
         return;
     }
+    const auto dialogs = window()->findChildren<QDialog *>();
+    if (std::any_of(dialogs.begin(), dialogs.end(), [](const QDialog *open) { return open->isVisible(); })) {
+        workspace().notifications().notify(tr("Not armed: a question or a list is open over this page."),
+                                           Notice::Attention);
+        return;
+    }
     m_begun = Clock::now();
     // What was said of motors that stopped is over.
     workspace().notifications().settle(Concern::Stopped);

@@ -89,7 +89,7 @@ void FlightOverview::refresh()
     m_state->setState(flightState(m_workspace));
     m_calibrate->setVisible(m_state->state() == ArmedState::State::NotCalibrated);
     showAttitude(m_workspace, *m_attitude);
-    m_hint->setText(checkedDirections(m_workspace).level != CheckedDirections::Level::Nothing
+    m_hint->setText(droneDirections(m_workspace).level != CheckedDirections::Level::Nothing
                         ? tr("Drawn as the check of directions has found it (Flight).")
                         : tr("Drawn as the drone tells it. Which sign leans which way is not established: "
                              "tilt it by hand and compare."));
