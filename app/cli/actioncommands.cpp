@@ -419,9 +419,8 @@ public:
     const char *words() const override { return "helper|gyro|attitude FILE"; }
     QString help() const override
     {
-        return u"send the board what other sensors see: rows of a CSV file with \"time\" and the fields of "
-               u"the "
-               "message, each at its time"_s;
+        return u"send the board what other sensors see: rows of a CSV file with \"time\" and the "
+               "message's fields, each at its time"_s;
     }
     const char *example() const override { return "--link serial:/dev/ttyUSB0 feed helper frame.csv"; }
     bool moves() const override { return true; }

@@ -35,7 +35,6 @@ constexpr int kFineUndefined = -32768;
 constexpr double kFineFull = 16384;
 constexpr int kMemoryStep = 192;  // bytes: the largest piece (errata 3.21)
 constexpr int kMemoryUnit = 64;
-constexpr int kFilePage = 64;
 constexpr int kFilePart = 192;
 constexpr qint64 kLargestFile = 65535;
 constexpr qint64 kLargestImage = 4 * 1024 * 1024;

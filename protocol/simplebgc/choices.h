@@ -9,6 +9,8 @@
 /// Choice lists shared by the parameter tables (document "Variables description and range", errata 4).
 namespace simplebgc {
 
+inline constexpr int kScriptFile = 1;  ///< type of a file (errata 3.21)
+inline constexpr int kFilePage = 64;  ///< bytes
 inline constexpr int kMostI2c = 64;  ///< bytes that one command reads or writes on a bus
 
 // clang-format off

@@ -31,8 +31,6 @@ constexpr qint64 kLargestFeed = 16 * 1024 * 1024;
 constexpr int kWideModeSince = 2695;  // AHRS_HELPER has two bytes of mode (errata 3.22)
 constexpr int kExtendedHelperSince = 2590;
 constexpr int kShortHelper = 10;
-constexpr int kScript = 1;  // type of a file (errata 3.21)
-constexpr int kPage = 64;
 constexpr char kNoSuchFile = 2;
 constexpr auto kScriptWaits = 5s;
 constexpr auto kLate = 200ms;  // what is older corrects nothing any more
@@ -306,8 +304,8 @@ Result<ActionReply> Actions::listScripts(const QVariantMap &)
     ActionReply reply;
     for (int slot = 0; slot < slotCount; ++slot) {
         const auto frame = m_channel.transact(replyRequest(
-            CommandId::ReadFile, ByteWriter().u8(kScript).u8(slot).u16(0).u16(kPage).zeros(14).take(),
-            CommandId::ReadFile, 4 + kPage, Device::kVersion));
+            CommandId::ReadFile, ByteWriter().u8(kScriptFile).u8(slot).u16(0).u16(kFilePage).zeros(14).take(),
+            CommandId::ReadFile, 4 + kFilePage, Device::kVersion));
         if (!frame)
             return tl::unexpected(frame.error());
         const int size = frame->payload.size() == 1 ? 0 : int(ByteReader(frame->payload).u16());

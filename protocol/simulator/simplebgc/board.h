@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/simplebgc/choices.h"
 #include "protocol/simplebgc/framer.h"
 #include "protocol/simplebgc/parametertables.h"
 #include "protocol/simplebgc/payloads.h"
@@ -28,7 +29,6 @@ enum Refusal {
 
 inline constexpr int kMostSources = 127;  ///< whose values fit into one frame
 inline constexpr int kMemorySize = 32768;
-inline constexpr int kScriptFile = 1;  ///< type of a file (errata 3.21)
 inline constexpr int kScriptSlots = 5;
 inline constexpr double kResetNotice = 1.0;  ///< document CMD_RESET: 1000 ms between notice and restart
 
