@@ -4901,7 +4901,7 @@
     </message>
     <message>
         <source>Not told before a calibration</source>
-        <translation>Vor einer Kalibrierung nicht gemeldet</translation>
+        <translation>Erst nach Kalibrierung</translation>
     </message>
 </context>
 <context>

@@ -24,7 +24,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr auto kAsk = 200ms;
-constexpr int kFormWidth = 680;
+constexpr int kFormWidth = 900;
 constexpr int kInputsSince = 2600;  // READ_RC_INPUTS (errata 2)
 constexpr double kMiddle = 1500;  // of the inputs as telemetry reports them
 constexpr double kWay = 500;
