@@ -243,13 +243,13 @@ void TestBcflightCtl::stopIsSentBeforeItIsKnown()
 
 void TestBcflightCtl::theLinkIsMeasured()
 {
-    const SimProcess drone({u"--udp"_s, u"0"_s, u"--fault"_s, u"late=40"_s}, u"bcflight"_s);
+    const SimProcess drone({u"--udp"_s, u"0"_s, u"--fault"_s, u"late=200"_s}, u"bcflight"_s);
     const Run run = ctl({u"--link"_s, drone.address(), u"--json"_s, u"link"_s, u"--seconds"_s, u"4"_s});
     QCOMPARE(run.exitCode, 0);
     const QJsonObject json = run.json();
     const double roundTrip = json.value(u"roundTripMs"_s).toDouble();
-    // The clock of the simulation is behind by up to its step.
-    QVERIFY2(roundTrip > 35 && roundTrip < 1000, qPrintable(run.out));
+    // The clock of the simulation is behind by what it has to catch up: more where the machine is starved.
+    QVERIFY2(roundTrip > 100 && roundTrip < 2000, qPrintable(run.out));
     QVERIFY2(json.value(u"answeredPercent"_s).toDouble() > 50, qPrintable(run.out));
     QCOMPARE(json.value(u"otherStation"_s).toBool(true), false);
     // Its thrust is not initialised before the first arming (errata 8.2).

@@ -283,7 +283,7 @@ void TestCtlFaults::damagedRecordingIsReadPastTheDamage()
     const QByteArray whole = stored.readAll();
     const Run before = ctl({u"export"_s, file});
     QCOMPARE(before.exitCode, 0);
-    constexpr double kArrivals = 0.05;  // seconds: half of what lies between two rows
+    constexpr double kArrivals = 0.3;  // seconds a starved machine delays; times begun anew are off by more
     for (const double place : {0.2, 0.5, 0.8}) {
         const auto at = qsizetype(double(whole.size()) * place);
         QByteArray damaged = whole;
