@@ -42,8 +42,11 @@ QList<PaletteEntry> paletteEntries(Workspace &workspace, const Navigation &navig
                              CommandPalette::tr("configuration, recording, black box"), {},
                              targets.openFile));
     if (workspace.client().isConnected()) {
-        entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Start motors"), {}, {},
-                                 targets.startMotors));
+        // A drone is armed on its own page, or not at all.
+        const Device *board = workspace.client().device();
+        if (board && board->motorSwitch())
+            entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Start motors"), {},
+                                     {}, targets.startMotors));
         entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Read the board again"),
                                  QKeySequence(QKeySequence::Refresh).toString(QKeySequence::NativeText), {},
                                  [&workspace] { workspace.readBoard(); }));

@@ -12,6 +12,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include <algorithm>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -45,6 +46,14 @@ QDialog *askInPanel(const Question &question, QWidget *parent)
     box->setEscapeButton(stay);
     openPanel(*box);
     return box;
+}
+
+QString whyNotBehind(const QWidget &page)
+{
+    const auto dialogs = page.window()->findChildren<QDialog *>();
+    const bool isCovered
+        = std::any_of(dialogs.begin(), dialogs.end(), [](const QDialog *open) { return open->isVisible(); });
+    return isCovered ? Questions::tr("Not armed: a question or a list is open over this page.") : QString();
 }
 
 void askToStartMotors(Workspace &workspace, QWidget *parent)

@@ -30,6 +30,10 @@ struct Question
 /// it when there is nothing left to decide
 QDialog *askInPanel(const Question &question, QWidget *parent);
 
+/// Why nothing is armed there now: a question or a list is open over it, which a gamepad reaches behind.
+/// @return empty where nothing is open
+[[nodiscard]] QString whyNotBehind(const QWidget &page);
+
 /// Starts the motors once the operator has said so again: the gimbal moves at once.
 void askToStartMotors(Workspace &workspace, QWidget *parent);
 

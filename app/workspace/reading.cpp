@@ -150,10 +150,10 @@ void Workspace::tellMissing(const Configuration &configuration)
                                Concern::Reading);
     if (!kept.empty())
         m_notifications.report(
-            ErrorText{tr("Parts of the board could not be read again."),
-                      tr("What is shown there was read before."),
-                      tr("Read the board again; if parts keep missing, check cable and power."),
-                      missingText(configuration, kept)},
+            ErrorText{
+                tr("Parts of the board could not be read again."), tr("What is shown there was read before."),
+                tr("Read the board again; if parts keep missing, check its cable or network, and its power."),
+                missingText(configuration, kept)},
             Concern::Reading);
 }
 

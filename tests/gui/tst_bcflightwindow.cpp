@@ -4,6 +4,7 @@
 #include "app/mainwindow/linkbar.h"
 #include "app/mainwindow/messagebar.h"
 #include "app/mainwindow/navigation.h"
+#include "app/mainwindow/palettesource.h"
 #include "app/pages/board/actionspage.h"
 #include "app/pages/board/flightpage.h"
 #include "app/pages/setup/documentspage.h"
@@ -88,6 +89,8 @@ void TestBcflightWindow::pagesAreListedOrFillThemselves()
     }
     QVERIFY(shown >= 8);
     QVERIFY(!window().navigation()->isOffered(u"control"_s));  // nothing steers it from here
+    for (const PaletteEntry &entry : paletteEntries(m_rig->workspace(), *window().navigation(), {}))
+        QVERIFY(entry.text != u"Start motors"_s);  // nor starts it
 }
 
 void TestBcflightWindow::gainsAreSetAndTold()

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The gamepad on the screen: assigned by moving it, steering a gimbal, and lost.
+#include "app/mainwindow/mainwindow.h"
 #include "app/pages/board/controlpage.h"
 #include "app/pages/board/gamepadsteering.h"
 #include "app/pages/program/gamepadpage.h"
@@ -35,6 +36,7 @@ class TestGamepadSteering : public QObject
 private slots:
     void init();
     void cleanup();
+    void sticksAreAssignedByMovingThem_data();
     void sticksAreAssignedByMovingThem();
     void aButtonIsAssignedByPressingIt();
     void whatIsHalfAssignedIsTakenBack();
@@ -123,9 +125,20 @@ bool TestGamepadSteering::showControl(const QString &family, bool positional)
     return false;
 }
 
+void TestGamepadSteering::sticksAreAssignedByMovingThem_data()
+{
+    QTest::addColumn<GamepadUse>("use");
+    QTest::addColumn<GamepadStick>("without");
+    QTest::newRow("gimbal") << GamepadUse::Camera << GamepadStick::Throttle;
+    QTest::newRow("drone") << GamepadUse::Flight << GamepadStick::Speed;
+}
+
 void TestGamepadSteering::sticksAreAssignedByMovingThem()
 {
+    QFETCH(GamepadUse, use);
+    QFETCH(GamepadStick, without);
     m_pads->plug();
+    workspace().gamepad().setUse(use);
     auto *page = m_rig->page<GamepadPage>();
     QTRY_VERIFY(workspace().gamepad().reading().has_value());
     const auto texts = [page] {
@@ -140,25 +153,34 @@ void TestGamepadSteering::sticksAreAssignedByMovingThem()
     // Throttle, roll, pitch, yaw, speed.
     const std::array<std::pair<int, double>, kGamepadSticks> moves{
         {{1, -1.0}, {2, 1.0}, {3, -1.0}, {0, 0.9}, {5, 1.0}}};
-    for (const auto &[axis, way] : moves) {
+    for (std::size_t i = 0; i < kGamepadSticks; ++i) {
+        if (GamepadStick(i) == without)
+            continue;
+        const auto [axis, way] = moves[i];
         QTRY_VERIFY(texts().contains(u"Push the stick"_s));
         // Let go of late: the way back of the stick before is not meant.
         for (std::size_t other = 0; other < FakeGamepads::kAxes; ++other)
             m_pads->move(int(other), int(other) == axis ? way : 0);
         QTRY_VERIFY(!texts().contains(u"Push the stick"_s));
     }
-    m_pads->move(5, 0);
+    for (std::size_t other = 0; other < FakeGamepads::kAxes; ++other)
+        m_pads->move(int(other), 0);
     QVERIFY(!page->isUnderWay());
     const GamepadMapping mapping = workspace().gamepad().mapping();
     for (std::size_t i = 0; i < kGamepadSticks; ++i) {
+        if (GamepadStick(i) == without) {
+            QCOMPARE(mapping.sticks[i].axis, -1);
+            continue;
+        }
         QCOMPARE(mapping.sticks[i].axis, moves[i].first);
         QCOMPARE(mapping.sticks[i].inverted, moves[i].second < 0);
     }
-    QCOMPARE(GamepadMapping::fromJson(m_rig->settings().gamepad("pad")), mapping);
+    const QByteArray key = use == GamepadUse::Flight ? "pad-flight" : "pad";
+    QCOMPARE(GamepadMapping::fromJson(m_rig->settings().gamepad(key)), mapping);
     QVERIFY(texts().contains(u"is ready"_s));
     // Another start of the program knows it.
     m_rig->restart();
-    QCOMPARE(GamepadMapping::fromJson(m_rig->settings().gamepad("pad")), mapping);
+    QCOMPARE(GamepadMapping::fromJson(m_rig->settings().gamepad(key)), mapping);
 }
 
 void TestGamepadSteering::aButtonIsAssignedByPressingIt()
@@ -193,7 +215,7 @@ void TestGamepadSteering::whatIsHalfAssignedIsTakenBack()
     const auto labels = page->findChildren<QLabel *>();
     QTRY_VERIFY(std::any_of(labels.begin(), labels.end(),
                             [](const QLabel *label) { return label->text().contains(u"Push the stick"_s); }));
-    m_pads->move(kYawAxis, 1);  // for the throttle
+    m_pads->move(kYawAxis, 1);  // for roll
     QTRY_VERIFY(workspace().gamepad().mapping() != before);
     for (auto *button : page->findChildren<QPushButton *>()) {
         if (button->text() == u"Cancel"_s)
@@ -209,7 +231,7 @@ void TestGamepadSteering::aSkippedStickStaysUnassigned()
     auto *page = m_rig->page<GamepadPage>();
     QTRY_VERIFY(workspace().gamepad().reading().has_value());
     page->assignAll();
-    for (std::size_t i = 0; i < kGamepadSticks; ++i) {
+    for (std::size_t i = 1; i < kGamepadSticks; ++i) {  // a camera has no throttle
         QVERIFY(page->isUnderWay());
         for (auto *button : page->findChildren<QPushButton *>()) {
             if (button->text() == u"Skip"_s)
@@ -381,6 +403,16 @@ void TestGamepadSteering::buttonsArmAndDisarm()
     QVERIFY(!m_control->isArmed());  // not by a short press
     m_pads->press(kArmButton, false);
     QTRY_VERIFY(!workspace().gamepad().snapshot().isHeld(GamepadButton::ArmHold));
+    // Nor behind a list or a question.
+    m_rig->window().showPalette();
+    QTRY_VERIFY(m_rig->window().commandPalette()->isVisible());
+    m_pads->press(kArmButton, true);
+    QTRY_VERIFY2(told().contains(u"open over this page"_s), qPrintable(told()));
+    QVERIFY(!m_control->isArmed());
+    m_pads->press(kArmButton, false);
+    QTest::keyClick(m_rig->window().commandPalette()->input(), Qt::Key_Escape);
+    QTRY_VERIFY(!workspace().gamepad().snapshot().isHeld(GamepadButton::ArmHold));
+    QTRY_VERIFY(!m_rig->window().commandPalette() || !m_rig->window().commandPalette()->isVisible());
     m_pads->press(kArmButton, true);
     QTRY_VERIFY(m_control->isArmed());
     m_pads->press(kDisarmButton, true);

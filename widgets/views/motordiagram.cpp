@@ -322,10 +322,14 @@ void MotorDiagram::drawMotor(QPainter &painter, int motor) const
     painter.setPen(m_theme.color(ColorRole::Text));
     painter.drawText(QRectF(centre.x() - size, centre.y() - line, 2 * size, line), Qt::AlignCenter,
                      QString::number(motor));
-    painter.setFont(font());
+    const QString text = outputText(motor);
+    // What does not fit is written smaller, never cut: "> 10..." is another number.
+    QFont small = font();
+    const double wide = fontMetrics().horizontalAdvance(text);
+    if (const double room = 2 * size - 12; wide > room)
+        small.setPointSizeF(small.pointSizeF() * room / wide);
+    painter.setFont(small);
     painter.setPen(m_theme.color(percent > kTold ? ColorRole::Text : ColorRole::Muted));
-    const QString text
-        = painter.fontMetrics().elidedText(outputText(motor), Qt::ElideRight, int(2 * size - 12));
     painter.drawText(QRectF(centre.x() - size, centre.y(), 2 * size, line), Qt::AlignCenter, text);
 }
 

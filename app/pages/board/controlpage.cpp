@@ -396,10 +396,11 @@ void ControlPage::setArmed(bool on)
     const bool isStopping = workspace().client().isStopUnproven();
     if (on && isVisible() && isStopping)
         workspace().notifications().notify(
-            tr("Not armed: the motors are being stopped, and the board has not confirmed it."), Notice::Hint);
+            tr("Not armed: the motors are being stopped, and the board has not confirmed it."),
+            Notice::Attention);
     const QString hands = on && isVisible() && !isArmed() ? m_gamepad->whyNot() : QString();
     if (!hands.isEmpty())
-        workspace().notifications().notify(hands, Notice::Hint);
+        workspace().notifications().notify(hands, Notice::Attention);
     const bool allowed = on && !isStopping && hands.isEmpty() && isVisible()
         && workspace().client().isConnected() && workspace().client().identity().writable && mode()
         && workspace().client().telemetry() && !isLimp();

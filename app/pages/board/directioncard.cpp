@@ -355,7 +355,9 @@ QString DirectionCard::sees() const
             return tr(
                 "Turned round: from now on this stick is sent the other way. Let it go until the motors "
                 "turn steadily, then push it again.");
-        return again
+        const QString reversed
+            = m_check->isReversed() ? tr("This stick is sent the other way.") + u' ' : QString();
+        return again + reversed
             + (m_check->isReady()
                    ? tr("No motor turns faster than the others yet.")
                    : tr("Hold it level and let the sticks go until the motors turn steadily. If they do not, "

@@ -20,7 +20,6 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QDBusConnection>
-#include <QDialog>
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -335,13 +334,11 @@ void FlightPage::press()
 {
     const ArmingBar bar = m_session.bar(known(), sticks(), Clock::now());
     if (bar != ArmingBar::None) {
-        workspace().notifications().notify(tr("Not armed: %1").arg(barText(bar)), Notice::Hint);
+        workspace().notifications().notify(tr("Not armed: %1").arg(barText(bar)), Notice::Attention);
         return;
     }
-    const auto dialogs = window()->findChildren<QDialog *>();
-    if (std::any_of(dialogs.begin(), dialogs.end(), [](const QDialog *open) { return open->isVisible(); })) {
-        workspace().notifications().notify(tr("Not armed: a question or a list is open over this page."),
-                                           Notice::Attention);
+    if (const QString why = whyNotBehind(*this); !why.isEmpty()) {
+        workspace().notifications().notify(why, Notice::Attention);
         return;
     }
     m_begun = Clock::now();

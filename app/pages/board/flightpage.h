@@ -96,7 +96,7 @@ private:
     [[nodiscard]] ArmingSession::Sticks sticks() const;
     [[nodiscard]] DirectionCheck::Axes pushed() const;
     [[nodiscard]] SteeringSetpoint setpoint(bool isArmed) const;
-    [[nodiscard]] static QString barText(ArmingBar bar);
+    [[nodiscard]] QString barText(ArmingBar bar) const;
 
     ArmingSession m_session;
     FlightGuardian m_guardian;

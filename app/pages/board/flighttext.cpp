@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the page for flying says and asks.
 #include "app/pages/board/flightpage.h"
+#include "app/workspace/flightstate.h"
 #include "app/workspace/question.h"
 #include "protocol/device/flight.h"
 #include "widgets/models/errortext.h"
@@ -41,14 +42,17 @@ QString FlightPage::stateText() const
 }
 
 // Each goes on where "Control has ended:" or "It cannot be armed:" begins.
-QString FlightPage::barText(ArmingBar bar)
+QString FlightPage::barText(ArmingBar bar) const
 {
     switch (bar) {
     case ArmingBar::None: return {};
     case ArmingBar::NoLink: return tr("there is no link.");
     case ArmingBar::Silent: return tr("nothing has come from it for a second.");
     case ArmingBar::NoState: return tr("it does not say whether it is armed.");
-    case ArmingBar::Unchecked: return tr("its directions have not been checked.");
+    case ArmingBar::Unchecked:
+        return droneDirections(workspace()).level == CheckedDirections::Level::All
+            ? tr("its directions have not been checked with these sticks as they are assigned now.")
+            : tr("its directions have not been checked.");
     case ArmingBar::NoPropellerWord: return tr("no control session is open.");
     case ArmingBar::NotCalibrated: return tr("it is not calibrated.");
     case ArmingBar::Calibrating: return tr("it is calibrating.");
@@ -85,7 +89,7 @@ void FlightPage::askToOpen()
 {
     if (known().isArmed.value_or(false)) {
         workspace().notifications().notify(tr("Not opened: %1").arg(barText(ArmingBar::ArmedElsewhere)),
-                                           Notice::Hint);
+                                           Notice::Attention);
         return;
     }
     QDialog *panel = askInPanel(

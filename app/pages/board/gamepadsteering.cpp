@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/board/gamepadsteering.h"
 
+#include "app/workspace/question.h"
+
 #include <QCheckBox>
 #include <QGuiApplication>
 #include <QLabel>
@@ -78,6 +80,8 @@ void GamepadSteering::follow()
 
 QString GamepadSteering::whyNot() const
 {
+    if (const QString why = whyNotBehind(*m_choice); !why.isEmpty())
+        return why;
     const GamepadSnapshot now = m_gamepad.snapshot();
     if (m_look.isActive() && now.isAlive(Clock::now()) && pushesAnything(now))
         return tr("Not armed: a stick of the gamepad is not at rest. Let go of it, then arm.");

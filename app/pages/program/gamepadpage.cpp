@@ -222,10 +222,9 @@ void GamepadPage::assign(GamepadButton button)
 void GamepadPage::assignAll()
 {
     m_inTurn = true;
-    m_wanted = 0;
     m_taken.clear();
     m_beforeTurn = m_gamepad.mapping();
-    begin(GamepadDetector::Wanted::Axis);
+    askFrom(0);
 }
 
 void GamepadPage::begin(GamepadDetector::Wanted wanted)
@@ -239,10 +238,22 @@ void GamepadPage::begin(GamepadDetector::Wanted wanted)
 
 void GamepadPage::next()
 {
-    if (!m_inTurn || ++m_wanted >= kGamepadSticks)
-        endTask();
+    if (m_inTurn)
+        askFrom(m_wanted + 1);
     else
+        endTask();
+}
+
+// What is steered now has no speed, or no throttle.
+void GamepadPage::askFrom(std::size_t stick)
+{
+    const auto without = std::size_t(m_gamepad.steers() == GamepadUse::Flight ? GamepadStick::Speed
+                                                                              : GamepadStick::Throttle);
+    m_wanted = stick + (stick == without ? 1 : 0);
+    if (m_wanted < kGamepadSticks)
         begin(GamepadDetector::Wanted::Axis);
+    else
+        endTask();
 }
 
 // What was assigned in turn so far is half of something.
@@ -255,6 +266,8 @@ void GamepadPage::cancel()
 
 void GamepadPage::endTask()
 {
+    if (m_skip->hasFocus() || m_cancel->hasFocus())
+        m_all->setFocus(Qt::OtherFocusReason);
     m_detector.reset();
     m_inTurn = false;
     updateTask();

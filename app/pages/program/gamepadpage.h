@@ -53,6 +53,7 @@ private:
     void connectAll();
     void begin(GamepadDetector::Wanted wanted);
     void next();
+    void askFrom(std::size_t stick);
     void cancel();
     void endTask();
     void look();
