@@ -2959,6 +2959,10 @@
         <source>Go on with the check…</source>
         <translation>Prüfung fortsetzen…</translation>
     </message>
+    <message>
+        <source>This stick is sent the other way.</source>
+        <translation>Dieser Stick wird umgekehrt gesendet.</translation>
+    </message>
 </context>
 <context>
     <name>DocumentsPage</name>
@@ -3142,20 +3146,8 @@
         <translation>Das Board hat nicht rechtzeitig geantwortet.</translation>
     </message>
     <message>
-        <source>It may be busy, restarting, or the cable may be disturbed.</source>
-        <translation>Es ist vielleicht beschäftigt, startet neu, oder das Kabel ist gestört.</translation>
-    </message>
-    <message>
-        <source>Try again; if that does not help, check cable and power.</source>
-        <translation>Versuchen Sie es nochmals; bleibt es so, prüfen Sie Kabel und Strom.</translation>
-    </message>
-    <message>
         <source>The link to the board broke.</source>
         <translation>Die Verbindung zum Board ist abgerissen.</translation>
-    </message>
-    <message>
-        <source>Check cable and power; the program connects again by itself.</source>
-        <translation>Prüfen Sie Kabel und Strom; das Programm verbindet sich von selbst wieder.</translation>
     </message>
     <message>
         <source>There is no such port.</source>
@@ -3212,10 +3204,6 @@
     <message>
         <source>Bytes arrive, but they make no sense.</source>
         <translation>Es kommen Bytes, aber sie ergeben keinen Sinn.</translation>
-    </message>
-    <message>
-        <source>The rate is unknown, the cable is disturbed, or it is another kind of device.</source>
-        <translation>Die Rate ist unbekannt, das Kabel gestört, oder es ist ein anderes Gerät.</translation>
     </message>
     <message>
         <source>This device speaks another protocol.</source>
@@ -3366,10 +3354,6 @@
         <translation>Messwerte gingen verloren; es wurde nichts geändert.</translation>
     </message>
     <message>
-        <source>Ask for fewer channels, a lower rate, or set a faster serial speed.</source>
-        <translation>Verlangen Sie weniger Kanäle oder eine niedrigere Rate, oder stellen Sie eine schnellere serielle Geschwindigkeit ein.</translation>
-    </message>
-    <message>
         <source>The axis did not follow; the motors were switched off.</source>
         <translation>Die Achse folgte nicht; die Motoren wurden ausgeschaltet.</translation>
     </message>
@@ -3418,10 +3402,6 @@
         <translation>Das Board hat ihn verworfen, auch bei der Wiederholung; er hat nichts verändert.</translation>
     </message>
     <message>
-        <source>The line is disturbed: check cable, ground and rate, then try again.</source>
-        <translation>Die Leitung ist gestört: prüfen Sie Kabel, Masse und Rate, und versuchen Sie es erneut.</translation>
-    </message>
-    <message>
         <source>The values that were in use could not be put back.</source>
         <translation>Die Werte, die in Gebrauch waren, konnten nicht zurückgesetzt werden.</translation>
     </message>
@@ -3462,10 +3442,6 @@
         <translation>Über die Werte darin ist nichts bekannt; sie werden nicht angezeigt, verglichen oder gesichert.</translation>
     </message>
     <message>
-        <source>Read the board again; if parts keep missing, check cable and power.</source>
-        <translation>Das Board noch einmal lesen; fehlen weiter Teile, Kabel und Versorgung prüfen.</translation>
-    </message>
-    <message>
         <source>The board acknowledged the command but did not carry it out.</source>
         <translation>Das Board hat den Befehl bestätigt, aber nicht ausgeführt.</translation>
     </message>
@@ -3496,10 +3472,6 @@
     <message>
         <source>No live data come.</source>
         <translation>Es kommen keine Live-Daten.</translation>
-    </message>
-    <message>
-        <source>Check cable and power, and that the board still answers; then start again.</source>
-        <translation>Kabel und Versorgung prüfen, und ob das Board noch antwortet; dann neu beginnen.</translation>
     </message>
     <message>
         <source>%1 of profile %2</source>
@@ -3805,10 +3777,6 @@
         <translation>Wo sie nicht gespeichert sind, bringt ein Neustart die gespeicherten zurück.</translation>
     </message>
     <message>
-        <source>Check cable and power.</source>
-        <translation>Prüfen Sie Kabel und Strom.</translation>
-    </message>
-    <message>
         <source>not to be written: %1</source>
         <translation>nicht zu schreiben: %1</translation>
     </message>
@@ -3920,10 +3888,6 @@
         <translation>Prüfen, ob Adresse und Port die des Boards sind, ob das Board dahinter Strom hat und ob niemand sonst damit verbunden ist.</translation>
     </message>
     <message>
-        <source>Check cable and ground, and that this is the board&apos;s port.</source>
-        <translation>Kabel und Masse prüfen und ob dies der Port des Boards ist.</translation>
-    </message>
-    <message>
         <source>configuration text</source>
         <translation>Konfigurationstext</translation>
     </message>
@@ -3970,6 +3934,62 @@
     <message>
         <source>Script %1 runs: command %2</source>
         <translation>Skript %1 läuft: Befehl %2</translation>
+    </message>
+    <message>
+        <source>It may be busy, restarting, or the cable or the network may be disturbed.</source>
+        <translation>Es ist vielleicht beschäftigt, startet neu, oder Kabel oder Netz sind gestört.</translation>
+    </message>
+    <message>
+        <source>Try again; if that does not help, check its cable or network, and its power.</source>
+        <translation>Versuchen Sie es nochmals; bleibt es so, prüfen Sie Kabel oder Netz, und den Strom.</translation>
+    </message>
+    <message>
+        <source>Check its cable or network, and its power; the program connects again by itself.</source>
+        <translation>Prüfen Sie Kabel oder Netz, und den Strom; das Programm verbindet sich von selbst wieder.</translation>
+    </message>
+    <message>
+        <source>It is another kind of device, or, on a cable, the rate is unknown or the cable is disturbed.</source>
+        <translation>Es ist ein anderes Gerät, oder, an einem Kabel, die Rate ist unbekannt oder das Kabel gestört.</translation>
+    </message>
+    <message>
+        <source>Check that this is the board&apos;s port or address; on a cable, check it and its ground.</source>
+        <translation>Prüfen Sie, ob dies Port oder Adresse des Boards ist; an einem Kabel auch dieses und die Masse.</translation>
+    </message>
+    <message>
+        <source>The line is disturbed: on a cable, check it, its ground and its rate; in a network, go nearer. Then try again.</source>
+        <translation>Die Leitung ist gestört: an einem Kabel prüfen Sie dieses, die Masse und die Rate; in einem Netz gehen Sie näher heran. Dann versuchen Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>Read the board again; if parts keep missing, check its cable or network, and its power.</source>
+        <translation>Das Board noch einmal lesen; fehlen weiter Teile, Kabel oder Netz und Versorgung prüfen.</translation>
+    </message>
+    <message>
+        <source>Ask for fewer channels or a lower rate; on a cable, set a faster serial speed.</source>
+        <translation>Weniger Kanäle oder eine niedrigere Rate verlangen; an einem Kabel eine schnellere serielle Rate einstellen.</translation>
+    </message>
+    <message>
+        <source>Check cable or network and power, and that the board still answers; then start again.</source>
+        <translation>Kabel oder Netz und Versorgung prüfen, und ob das Board noch antwortet; dann neu beginnen.</translation>
+    </message>
+    <message>
+        <source>Check its cable or network, and its power.</source>
+        <translation>Prüfen Sie Kabel oder Netz, und den Strom.</translation>
+    </message>
+    <message>
+        <source>Let the camera go now, and catch it if it falls far</source>
+        <translation>Lassen Sie die Kamera jetzt los, und fangen Sie sie auf, wenn sie weit fällt</translation>
+    </message>
+    <message>
+        <source>Move the camera slowly as far as it may go, each axis both ways</source>
+        <translation>Bewegen Sie die Kamera langsam so weit, wie sie darf, jede Achse in beide Richtungen</translation>
+    </message>
+    <message>
+        <source>The motors run: watching whether an axis runs away</source>
+        <translation>Die Motoren laufen: es wird beobachtet, ob eine Achse davonläuft</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Es wird gemessen</translation>
     </message>
 </context>
 <context>
@@ -4811,8 +4831,8 @@
         <translation>eine andere Bodenstation spricht mit ihr.</translation>
     </message>
     <message>
-        <source>Not armed: a question or a list is open over this page.</source>
-        <translation>Nicht scharf geschaltet: über dieser Seite ist eine Frage oder eine Liste offen.</translation>
+        <source>its directions have not been checked with these sticks as they are assigned now.</source>
+        <translation>seine Richtungen sind mit diesen Sticks, wie sie jetzt zugewiesen sind, nicht geprüft.</translation>
     </message>
 </context>
 <context>
@@ -5205,6 +5225,169 @@
     <message>
         <source>The frame is not measured</source>
         <translation>Der Rahmen wird nicht gemessen</translation>
+    </message>
+</context>
+<context>
+    <name>GuidePage</name>
+    <message>
+        <source>Guided set-up</source>
+        <translation>Geführte Einrichtung</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Auslassen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>From the beginning…</source>
+        <translation>Von vorn beginnen…</translation>
+    </message>
+    <message>
+        <source>Certificate…</source>
+        <translation>Zertifikat…</translation>
+    </message>
+    <message>
+        <source>One page with all that was measured and set, and what was left out.</source>
+        <translation>Eine Seite mit allem, was gemessen und eingestellt wurde, und was ausgelassen ist.</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>What the step finds appears here.</source>
+        <translation>Hier erscheint, was der Schritt findet.</translation>
+    </message>
+    <message>
+        <source>Save the certificate</source>
+        <translation>Zertifikat sichern</translation>
+    </message>
+    <message>
+        <source>PDF files (*.pdf);;Web pages (*.html)</source>
+        <translation>PDF-Dateien (*.pdf);;Webseiten (*.html)</translation>
+    </message>
+    <message>
+        <source>Progress of the step</source>
+        <translation>Fortschritt des Schritts</translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3</source>
+        <translation>%1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>Before it: %1</source>
+        <translation>Vorher: %1</translation>
+    </message>
+    <message>
+        <source>More of it: %1…</source>
+        <translation>Mehr davon: %1…</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Actions</source>
+        <translation>Aktionen</translation>
+    </message>
+    <message>
+        <source>Auto-tune</source>
+        <translation>Auto-Abstimmung</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>The settings as they were are kept in Backups.</source>
+        <translation>Die Einstellungen, wie sie waren, liegen unter „Sicherungen“.</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Do it again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Tick what has to be so first.</source>
+        <translation>Haken Sie zuerst an, was so sein muss.</translation>
+    </message>
+    <message>
+        <source>“%1” is done. Next: %2.</source>
+        <translation>„%1“ ist erledigt. Als Nächstes: %2.</translation>
+    </message>
+    <message>
+        <source>Every step is done or left out: save the certificate.</source>
+        <translation>Jeder Schritt ist erledigt oder ausgelassen: sichern Sie das Zertifikat.</translation>
+    </message>
+    <message>
+        <source>Begin the set-up anew?</source>
+        <translation>Die Einrichtung von vorn beginnen?</translation>
+    </message>
+    <message>
+        <source>What was found so far is forgotten. The board stays as it is.</source>
+        <translation>Was bisher gefunden ist, wird vergessen. Das Board bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Forget it</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>Go on as it is</source>
+        <translation>Weitermachen wie bisher</translation>
+    </message>
+    <message>
+        <source>What the hand does with the camera</source>
+        <translation>Was die Hand mit der Kamera tut</translation>
+    </message>
+    <message>
+        <source>camera: let go</source>
+        <translation>Kamera: losgelassen</translation>
+    </message>
+    <message>
+        <source>camera: held level</source>
+        <translation>Kamera: waagerecht gehalten</translation>
+    </message>
+    <message>
+        <source>camera: moved as far as it goes</source>
+        <translation>Kamera: so weit bewegt, wie es geht</translation>
+    </message>
+    <message>
+        <source>Where the frame is</source>
+        <translation>Wo der Rahmen ist</translation>
+    </message>
+    <message>
+        <source>frame: in your hand</source>
+        <translation>Rahmen: in Ihrer Hand</translation>
+    </message>
+    <message>
+        <source>frame: on a stand</source>
+        <translation>Rahmen: auf einem Stativ</translation>
+    </message>
+    <message>
+        <source>How the camera is mounted</source>
+        <translation>Wie die Kamera montiert ist</translation>
+    </message>
+    <message>
+        <source>camera: far out of balance</source>
+        <translation>Kamera: weit außer Balance</translation>
+    </message>
+    <message>
+        <source>camera: balanced on its plate</source>
+        <translation>Kamera: auf ihrer Platte ausbalanciert</translation>
     </message>
 </context>
 <context>
@@ -6845,6 +7028,10 @@
         <source>Signals</source>
         <translation>Signale</translation>
     </message>
+    <message>
+        <source>Guided set-up</source>
+        <translation>Geführte Einrichtung</translation>
+    </message>
 </context>
 <context>
     <name>ParameterModel</name>
@@ -7488,6 +7675,10 @@ dieses zeigen.</translation>
     <message>
         <source>%1 without storing</source>
         <translation>%1 ohne Speichern</translation>
+    </message>
+    <message>
+        <source>Not armed: a question or a list is open over this page.</source>
+        <translation>Nicht scharf geschaltet: über dieser Seite ist eine Frage oder eine Liste offen.</translation>
     </message>
 </context>
 <context>
@@ -18119,6 +18310,310 @@ Spitze %2°</translation>
         <source>Rate bit 2</source>
         <translation>Rate Bit 2</translation>
     </message>
+    <message>
+        <source>All values are so already.</source>
+        <translation>Alle Werte sind schon so.</translation>
+    </message>
+    <message>
+        <source>An axis vibrates strongly: lower its gains (page Tuning), and measure again.</source>
+        <translation>Eine Achse vibriert stark: senken Sie ihre Verstärkung (Seite Abstimmung), und messen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>An axis was hardly moved: its range stays as it was.</source>
+        <translation>Eine Achse wurde kaum bewegt: ihr Bereich bleibt, wie er war.</translation>
+    </message>
+    <message>
+        <source>Balance</source>
+        <translation>Balance</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Cells of the battery (0 = find out)</source>
+        <translation>Zellen des Akkus (0 = herausfinden)</translation>
+    </message>
+    <message>
+        <source>Error of the accelerometer</source>
+        <translation>Fehler des Beschleunigungssensors</translation>
+    </message>
+    <message>
+        <source>Figures are as they were measured; behind an arrow stands what was before. What is left out was neither measured nor set.</source>
+        <translation>Die Zahlen sind, wie sie gemessen wurden; hinter einem Pfeil steht, was vorher war. Was ausgelassen ist, wurde weder gemessen noch eingestellt.</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>Regler</translation>
+    </message>
+    <message>
+        <source>Gyroscope</source>
+        <translation>Gyroskop</translation>
+    </message>
+    <message>
+        <source>Held to</source>
+        <translation>Gehalten auf</translation>
+    </message>
+    <message>
+        <source>I hold the camera</source>
+        <translation>Ich halte die Kamera</translation>
+    </message>
+    <message>
+        <source>It is balanced.</source>
+        <translation>Sie ist ausbalanciert.</translation>
+    </message>
+    <message>
+        <source>It is held about as before.</source>
+        <translation>Sie wird etwa so gehalten wie vorher.</translation>
+    </message>
+    <message>
+        <source>It is held better than before.</source>
+        <translation>Sie wird besser gehalten als vorher.</translation>
+    </message>
+    <message>
+        <source>It is held worse than before, and the old gains could not be written back: see Backups.</source>
+        <translation>Sie wird schlechter gehalten als vorher, und die alten Werte ließen sich nicht zurückschreiben: siehe Sicherungen.</translation>
+    </message>
+    <message>
+        <source>It is not balanced on the axis that swings: move the camera on its plate against it, and measure again. Motors that carry weight get hot and hold badly.</source>
+        <translation>Auf der Achse, die ausschwingt, ist sie nicht ausbalanciert: verschieben Sie die Kamera auf ihrer Platte dagegen, und messen Sie noch einmal. Motoren, die Gewicht tragen, werden heiß und halten schlecht.</translation>
+    </message>
+    <message>
+        <source>It was held worse than before: the old gains were written back.</source>
+        <translation>Sie wurde schlechter gehalten als vorher: die alten Werte wurden zurückgeschrieben.</translation>
+    </message>
+    <message>
+        <source>Kind of battery</source>
+        <translation>Art des Akkus</translation>
+    </message>
+    <message>
+        <source>Margin at each end</source>
+        <translation>Abstand an jedem Ende</translation>
+    </message>
+    <message>
+        <source>Measures how the camera vibrates while it is held, and which line of each axis is the strongest.</source>
+        <translation>Misst, wie die Kamera vibriert, während sie gehalten wird, und welche Linie jeder Achse die stärkste ist.</translation>
+    </message>
+    <message>
+        <source>Measures how well the camera is held, lets the board search its gains, and measures again. Where it is held worse than before, the old gains are written back.</source>
+        <translation>Misst, wie gut die Kamera gehalten wird, lässt das Board seine Reglerwerte suchen, und misst noch einmal. Wird sie schlechter gehalten als vorher, werden die alten Werte zurückgeschrieben.</translation>
+    </message>
+    <message>
+        <source>Measures the voltage, finds how many cells the battery has, and sets the alarm and the voltage below which motors are switched off.</source>
+        <translation>Misst die Spannung, findet heraus, wie viele Zellen der Akku hat, und stellt den Alarm ein und die Spannung, unter der die Motoren ausgeschaltet werden.</translation>
+    </message>
+    <message>
+        <source>Measures the zero of the sensor of turn rate, and compares it with before.</source>
+        <translation>Misst den Nullpunkt des Drehratensensors, und vergleicht ihn mit vorher.</translation>
+    </message>
+    <message>
+        <source>Measures what the accelerometer takes for level, and compares it with before.</source>
+        <translation>Misst, was der Beschleunigungssensor für waagerecht hält, und vergleicht es mit vorher.</translation>
+    </message>
+    <message>
+        <source>No axis runs away.</source>
+        <translation>Keine Achse läuft davon.</translation>
+    </message>
+    <message>
+        <source>Nothing is written yet.</source>
+        <translation>Noch ist nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Nothing vibrates in a line of its own.</source>
+        <translation>Nichts vibriert in einer eigenen Linie.</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>Set-up of a gimbal</source>
+        <translation>Einrichtung eines Gimbals</translation>
+    </message>
+    <message>
+        <source>Shows which values follow from what the gimbal is for, and writes them if they are wanted.</source>
+        <translation>Zeigt, welche Werte aus der Verwendung des Gimbals folgen, und schreibt sie, wenn sie gewünscht sind.</translation>
+    </message>
+    <message>
+        <source>Some lines stand out: Vibration (page Spectrum) says whether a notch helps, and tries it.</source>
+        <translation>Einige Linien stechen hervor: die Seite Spektrum sagt, ob eine Kerbe hilft, und versucht sie.</translation>
+    </message>
+    <message>
+        <source>Steering reaches what you have shown, less the margin.</source>
+        <translation>Das Steuern reicht so weit, wie Sie gezeigt haben, weniger den Abstand.</translation>
+    </message>
+    <message>
+        <source>Strays from its target</source>
+        <translation>Weicht vom Ziel ab</translation>
+    </message>
+    <message>
+        <source>Strongest line</source>
+        <translation>Stärkste Linie</translation>
+    </message>
+    <message>
+        <source>Swings when let go</source>
+        <translation>Schwingt losgelassen aus</translation>
+    </message>
+    <message>
+        <source>Switches the motors off, waits until the camera is held level, and measures how far it swings when it is let go.</source>
+        <translation>Schaltet die Motoren aus, wartet, bis die Kamera waagerecht gehalten wird, und misst, wie weit sie ausschwingt, wenn sie losgelassen wird.</translation>
+    </message>
+    <message>
+        <source>Switches the motors off, watches how far the camera is moved by hand, and sets the range that steering may reach.</source>
+        <translation>Schaltet die Motoren aus, beobachtet, wie weit die Kamera von Hand bewegt wird, und stellt den Bereich ein, den das Steuern erreichen darf.</translation>
+    </message>
+    <message>
+        <source>That is good.</source>
+        <translation>Das ist gut.</translation>
+    </message>
+    <message>
+        <source>That is poor: do it again in a steadier place.</source>
+        <translation>Das ist schlecht: wiederholen Sie es an einem ruhigeren Ort.</translation>
+    </message>
+    <message>
+        <source>That is usable; in a steadier place it gets better.</source>
+        <translation>Das ist brauchbar; an einem ruhigeren Ort wird es besser.</translation>
+    </message>
+    <message>
+        <source>The battery that the gimbal is used with is connected, and full or nearly so.</source>
+        <translation>Der Akku, mit dem der Gimbal benutzt wird, ist angeschlossen, und voll oder beinahe.</translation>
+    </message>
+    <message>
+        <source>The board has found other motors than it was set to.</source>
+        <translation>Das Board hat andere Motoren gefunden, als eingestellt waren.</translation>
+    </message>
+    <message>
+        <source>The board turns each motor to find its poles and its direction. Then the motors start, and are switched off at once where an axis runs away.</source>
+        <translation>Das Board dreht jeden Motor, um Polzahl und Richtung zu finden. Dann starten die Motoren, und werden sofort ausgeschaltet, wo eine Achse davonläuft.</translation>
+    </message>
+    <message>
+        <source>The camera lies or hangs absolutely still.</source>
+        <translation>Die Kamera liegt oder hängt völlig still.</translation>
+    </message>
+    <message>
+        <source>The camera lies or is held: its motors may let go</source>
+        <translation>Die Kamera liegt oder wird gehalten: ihre Motoren können loslassen</translation>
+    </message>
+    <message>
+        <source>The camera stands level and still.</source>
+        <translation>Die Kamera steht waagerecht und still.</translation>
+    </message>
+    <message>
+        <source>The frame stands level and still while the camera is moved as far as it may go.</source>
+        <translation>Der Rahmen steht waagerecht und still, während die Kamera so weit bewegt wird, wie sie darf.</translation>
+    </message>
+    <message>
+        <source>The gimbal is held in the hand as in use, and the motors run.</source>
+        <translation>Der Gimbal wird in der Hand gehalten wie im Einsatz, und die Motoren laufen.</translation>
+    </message>
+    <message>
+        <source>The gimbal is held or stands so that nothing is in the way of the camera.</source>
+        <translation>Der Gimbal wird so gehalten oder steht so, dass der Kamera nichts im Weg ist.</translation>
+    </message>
+    <message>
+        <source>The motors are as they were set.</source>
+        <translation>Die Motoren sind, wie sie eingestellt waren.</translation>
+    </message>
+    <message>
+        <source>The motors are off until the step “Motors” has found what they are.</source>
+        <translation>Die Motoren sind aus, bis der Schritt „Motoren“ herausgefunden hat, was sie sind.</translation>
+    </message>
+    <message>
+        <source>The thresholds fit the battery now.</source>
+        <translation>Die Schwellen passen jetzt zum Akku.</translation>
+    </message>
+    <message>
+        <source>The thresholds fitted the battery already.</source>
+        <translation>Die Schwellen passten schon zum Akku.</translation>
+    </message>
+    <message>
+        <source>The values are written.</source>
+        <translation>Die Werte sind geschrieben.</translation>
+    </message>
+    <message>
+        <source>Time for moving it</source>
+        <translation>Zeit zum Bewegen</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Zweck</translation>
+    </message>
+    <message>
+        <source>Vibrates</source>
+        <translation>Vibriert</translation>
+    </message>
+    <message>
+        <source>Vibration</source>
+        <translation>Vibration</translation>
+    </message>
+    <message>
+        <source>Voltage</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>Voltage of a cell</source>
+        <translation>Spannung einer Zelle</translation>
+    </message>
+    <message>
+        <source>What the gimbal is for</source>
+        <translation>Wofür der Gimbal ist</translation>
+    </message>
+    <message>
+        <source>Write the values (off: only show what would change)</source>
+        <translation>Die Werte schreiben (aus: nur zeigen, was sich ändern würde)</translation>
+    </message>
+    <message>
+        <source>Zero of the gyroscope</source>
+        <translation>Nullpunkt des Gyroskops</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>handheld</source>
+        <translation>in der Hand</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>ausgelassen</translation>
+    </message>
+    <message>
+        <source>liion</source>
+        <translation>Li-Ion</translation>
+    </message>
+    <message>
+        <source>lipo</source>
+        <translation>LiPo</translation>
+    </message>
+    <message>
+        <source>not done</source>
+        <translation>nicht getan</translation>
+    </message>
+    <message>
+        <source>to be done again</source>
+        <translation>noch einmal nötig</translation>
+    </message>
+    <message>
+        <source>tripod</source>
+        <translation>Stativ</translation>
+    </message>
+    <message>
+        <source>vehicle</source>
+        <translation>Fahrzeug</translation>
+    </message>
+    <message>
+        <source>The camera is mounted as it will be used, with its lens and its cables. The frame stands still, best on a stand.</source>
+        <translation>Die Kamera ist montiert, wie sie benutzt wird, mit Objektiv und Kabeln. Der Rahmen steht still, am besten auf einem Stativ.</translation>
+    </message>
 </context>
 <context>
     <name>ThinningText</name>
@@ -18612,10 +19107,6 @@ Auf dem Board: %1</translation>
         <translation>Was dort gezeigt wird, wurde vorher gelesen.</translation>
     </message>
     <message>
-        <source>Read the board again; if parts keep missing, check cable and power.</source>
-        <translation>Das Board noch einmal lesen; fehlen weiter Teile, Kabel und Versorgung prüfen.</translation>
-    </message>
-    <message>
         <source>The snapshot is incomplete.</source>
         <translation>Die Sicherung ist unvollständig.</translation>
     </message>
@@ -18933,6 +19424,10 @@ Auf dem Board: %1</translation>
     <message>
         <source>What they say of its motors is old.</source>
         <translation>Was sie über seine Motoren sagen, ist alt.</translation>
+    </message>
+    <message>
+        <source>Read the board again; if parts keep missing, check its cable or network, and its power.</source>
+        <translation>Das Board noch einmal lesen; fehlen weiter Teile, Kabel oder Netz und Versorgung prüfen.</translation>
     </message>
 </context>
 </TS>

@@ -90,7 +90,7 @@ Commands allCommands(const CommandContext &context)
 {
     Commands all;
     for (auto part : {parameterCommands, fileCommands, textCommands, actionCommands, recordingCommands,
-                      linkCommands, videoCommands, rawCommands}) {
+                      linkCommands, videoCommands, rawCommands, setupCommands}) {
         for (auto &command : part(context))
             all.push_back(std::move(command));
     }
@@ -517,7 +517,7 @@ ErrorText forConsole(ErrorText text, ErrorCode code, bool flies)
     if (flies && code == ErrorCode::GoesOn)
         text.meaning = u"Its motors may be turning."_s;
     if (code == ErrorCode::LinkClosed)
-        text.cure = u"Check cable and power, then run the command again."_s;
+        text.cure = u"Check its cable or network, and its power, then run the command again."_s;
     return text;
 }
 

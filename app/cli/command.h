@@ -163,7 +163,9 @@ protected:
     {
         return m_client && m_client->device() && m_client->device()->flight();
     }
-    /// The newest telemetry of the board.
+    /// The telemetry of the board.
+    [[nodiscard]] const std::shared_ptr<const TelemetryStore> &telemetry() const { return m_telemetry; }
+    /// The newest of it.
     [[nodiscard]] const LatestValues *latest() const { return m_telemetry.get(); }
 
 private:
@@ -211,6 +213,7 @@ using Commands = std::vector<std::unique_ptr<Command>>;
 [[nodiscard]] Commands linkCommands(const CommandContext &context);
 [[nodiscard]] Commands videoCommands(const CommandContext &context);
 [[nodiscard]] Commands rawCommands(const CommandContext &context);
+[[nodiscard]] Commands setupCommands(const CommandContext &context);
 
 template <typename... Each> [[nodiscard]] Commands makeCommands(const CommandContext &context)
 {

@@ -243,6 +243,7 @@ Page *MainWindow::page(const QString &key)
         }
         connect(made, &Page::changesChanged, this, &MainWindow::updateMarks);
         connect(made, &Page::actionWanted, this, &MainWindow::showAction);
+        connect(made, &Page::pageWanted, this, &MainWindow::showPage);
         return made;
     }
     return nullptr;

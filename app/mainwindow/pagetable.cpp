@@ -12,6 +12,7 @@
 #include "app/pages/program/helppage.h"
 #include "app/pages/program/settingspage.h"
 #include "app/pages/setup/documentspage.h"
+#include "app/pages/setup/guidepage.h"
 #include "app/pages/setup/parameterspage.h"
 #include "app/pages/setup/profilespage.h"
 #include "app/pages/setup/scriptspage.h"
@@ -60,6 +61,11 @@ bool hasLiveValues(const Workspace &workspace)
 bool canBeSteered(const Workspace &workspace)
 {
     return workspace.tables()->steering() && !workspace.tables()->flight();
+}
+
+bool canBeGuided(const Workspace &workspace)
+{
+    return workspace.tables()->setupFacts();
 }
 
 bool flies(const Workspace &workspace)
@@ -122,6 +128,7 @@ constexpr PageEntry kPages[] = {
     {"monitor", QT_TRANSLATE_NOOP("Pages", "Monitor"), QT_TRANSLATE_NOOP("Pages", "Watch"), makePage<MonitorPage>},
     {"blackbox", QT_TRANSLATE_NOOP("Pages", "Black box"), QT_TRANSLATE_NOOP("Pages", "Watch"), makePage<BlackBoxPage>, isBlackBox},
     {"debug", QT_TRANSLATE_NOOP("Pages", "Debug variables"), QT_TRANSLATE_NOOP("Pages", "Watch"), makePage<DebugPage>, hasInnerVariables},
+    {"guide", QT_TRANSLATE_NOOP("Pages", "Guided set-up"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<GuidePage>, canBeGuided},
     {"parameters", QT_TRANSLATE_NOOP("Pages", "Parameters"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<ParametersPage>, isBoard},
     {"profiles", QT_TRANSLATE_NOOP("Pages", "Profiles"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<ProfilesPage>, hasProfiles},
     {"scripts", QT_TRANSLATE_NOOP("Pages", "Scripts"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<ScriptsPage>, keepsScripts},

@@ -232,6 +232,7 @@ void Tour::addCalibrationSteps()
     const auto page = [this] { return pageAs<CalibrationPage>(m_window, u"calibration"_s); };
     using Kind = CalibrationPage::Kind;
     using Wizard = CalibrationPage::Step;
+    m_steps.append({u"guide"_s, show(u"guide"_s), {}, 500, {}, false});
     m_steps.append({u"signals"_s, show(u"signals"_s), {}, 800, {}, false});
     m_steps.append({u"calibration"_s, show(u"calibration"_s), {}, 400, {}, false});
     m_steps.append({u"calibration-waiting"_s,

@@ -43,6 +43,8 @@ signals:
     void changesChanged();
     /// The operator wants to go to an action of the board, which this page has named.
     void actionWanted(const QString &key);
+    /// The operator wants to go to the page of that key.
+    void pageWanted(const QString &key);
 
 protected:
     [[nodiscard]] Workspace &workspace() const { return m_workspace; }

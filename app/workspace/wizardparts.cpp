@@ -7,6 +7,7 @@
 
 #include <QBoxLayout>
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -90,22 +91,36 @@ SimulatedHands::SimulatedHands(Workspace &workspace, const Places &places, QWidg
                                const QString &title)
     : Card(title.isEmpty() ? tr("Simulated gimbal: your hands") : title, parent)
     , m_workspace(workspace)
-    , m_place(new QComboBox)
+    , m_row(new QHBoxLayout)
 {
-    m_place->setAccessibleName(tr("Where the simulated camera is"));
-    m_place->setMaximumWidth(Metric::kFieldWidth);
-    for (const auto &[name, pose] : places)
-        m_place->addItem(name, pose);
-    content()->addWidget(m_place);
+    content()->addLayout(m_row);
+    if (!places.isEmpty())
+        add(u"pose"_s, tr("Where the simulated camera is"), places);
     const auto update = [this] { setVisible(m_workspace.isSimulated()); };
-    connect(m_place, &QComboBox::activated, this,
-            [this] { m_workspace.changeWorld(u"pose=%1"_s.arg(m_place->currentData().toInt())); });
-    connect(&workspace, &Workspace::worldChanged, this, [this](const QString &assignment) {
-        if (assignment.startsWith(u"pose="_s))
-            m_place->setCurrentIndex(m_place->findData(assignment.mid(5).toInt()));
-    });
     connect(&workspace.client(), &DeviceClient::stateChanged, this, update);
     update();
+}
+
+SimulatedHands::SimulatedHands(Workspace &workspace, QWidget *parent)
+    : SimulatedHands(workspace, {}, parent)
+{
+}
+
+void SimulatedHands::add(const QString &what, const QString &accessibleName, const Places &places, int now)
+{
+    auto *box = new QComboBox;
+    box->setAccessibleName(accessibleName);
+    box->setMaximumWidth(Metric::kFieldWidth);
+    for (const auto &[name, number] : places)
+        box->addItem(name, number);
+    box->setCurrentIndex(box->findData(now));
+    m_row->addWidget(box, 1);
+    connect(box, &QComboBox::activated, this,
+            [this, what, box] { m_workspace.changeWorld(what + u'=' + box->currentData().toString()); });
+    connect(&m_workspace, &Workspace::worldChanged, this, [what, box](const QString &assignment) {
+        if (assignment.startsWith(what + u'='))
+            box->setCurrentIndex(box->findData(assignment.mid(what.size() + 1).toInt()));
+    });
 }
 
 SimulatedHands::Places::value_type SimulatedHands::inGimbal()

@@ -8,7 +8,7 @@
 #include <QListWidget>
 
 class QBoxLayout;
-class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -49,6 +49,11 @@ public:
 
     /// @param title by default that of a gimbal
     SimulatedHands(Workspace &workspace, const Places &places, QWidget *parent, const QString &title = {});
+    /// Other hands: what they do is added.
+    SimulatedHands(Workspace &workspace, QWidget *parent);
+    /// A choice of its own. @param what of the world it changes, as gimbalsim has it; @param now which of
+    /// them it is as long as nobody changes it
+    void add(const QString &what, const QString &accessibleName, const Places &places, int now = 0);
     /// In the gimbal, and still on each face.
     [[nodiscard]] static Places faces();
     /// The camera in the gimbal, in the operator's hand.
@@ -58,5 +63,5 @@ public:
 
 private:
     Workspace &m_workspace;
-    QComboBox *m_place;
+    QHBoxLayout *m_row;
 };

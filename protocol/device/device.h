@@ -24,6 +24,7 @@ class MotorSwitch;
 class NotchFilters;
 class ProfileAccess;
 class RestartNotice;
+class SetupFacts;
 class StatusWords;
 class Steering;
 class StreamControl;
@@ -97,6 +98,7 @@ public:
     [[nodiscard]] virtual const FaultWords *faultWords() const { return nullptr; }
     [[nodiscard]] virtual const Bearings *bearings() const { return nullptr; }
     [[nodiscard]] virtual const StatusWords *statusWords() const { return nullptr; }
+    [[nodiscard]] virtual const SetupFacts *setupFacts() const { return nullptr; }
     [[nodiscard]] virtual const NotchFilters *notchFilters() const { return nullptr; }
     [[nodiscard]] virtual std::shared_ptr<const GainShape> gainShape() const { return nullptr; }
     [[nodiscard]] virtual const RestartNotice *restartNotice() const { return nullptr; }

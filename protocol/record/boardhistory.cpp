@@ -83,6 +83,11 @@ QDateTime BoardHistory::timeOf(const QString &path)
     return time;
 }
 
+QString BoardHistory::setupFile(const QString &serial) const
+{
+    return folder(serial) + u"/setup.json"_s;
+}
+
 Result<void> BoardHistory::saveUnsaved(const Configuration &base, const QJsonObject &edits) const
 {
     const QDir dir(folder(base.identity().serial) + u'/' + kUnsavedFolder);

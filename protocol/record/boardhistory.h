@@ -37,6 +37,9 @@ public:
     /// When a snapshot was taken, from its file name (UTC).
     [[nodiscard]] static QDateTime timeOf(const QString &path);
 
+    /// Where it is kept how far the set-up of a board has come.
+    [[nodiscard]] QString setupFile(const QString &serial) const;
+
     /// Edits that never reached the board, kept beside its snapshots to survive a crash: any JSON the program
     /// makes of them, and the configuration they started from. Errors: BadFile.
     Result<void> saveUnsaved(const Configuration &base, const QJsonObject &edits) const;

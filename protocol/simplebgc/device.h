@@ -5,6 +5,7 @@
 #include "protocol/device/abilities.h"
 #include "protocol/device/bearings.h"
 #include "protocol/device/family.h"
+#include "protocol/device/setupfacts.h"
 #include "protocol/device/steering.h"
 #include "protocol/session/channel.h"
 #include "protocol/session/controlstream.h"
@@ -27,7 +28,8 @@ class Device final : public ::Device,
                      public FaultWords,
                      public Bearings,
                      public NotchFilters,
-                     public RestartNotice
+                     public RestartNotice,
+                     public SetupFacts
 {
 public:
     /// Firmware numbers that this program has tables for; others open read-only.
@@ -127,6 +129,9 @@ public:
     [[nodiscard]] bool announcesReset(const FrameView &frame) const override;
     [[nodiscard]] std::optional<milliseconds> ordersReset(QByteArrayView sent) const override;
     [[nodiscard]] Request harmlessQuestion() const override;
+
+    [[nodiscard]] const SetupFacts *setupFacts() const override { return this; }
+    [[nodiscard]] SetupKeys setupKeys() const override;
 
     /// One axis of CONTROL, as the board understands it.
     struct AxisControl

@@ -111,7 +111,8 @@ void TestCtlFaults::silenceEndsIt()
     const Run run = running.finish(20000);
     ::kill(pid_t(simulator.process().processId()), SIGCONT);
     QCOMPARE(run.exitCode, 1);
-    for (const QString &part : {u"No live data come."_s, u"Check cable and power"_s, u"nothing more for"_s})
+    for (const QString &part :
+         {u"No live data come."_s, u"Check its cable or network"_s, u"nothing more for"_s})
         QVERIFY2(run.err.contains(part), qPrintable(run.err));
     if (command.contains(u"--json"_s)) {
         QCOMPARE(run.json().value(u"error"_s).toString(), u"No live data come."_s);

@@ -8,6 +8,7 @@
 #include "protocol/bcflight/tables.h"
 #endif
 #if GIMBAL_WITH_SIMPLEBGC
+#include "protocol/guide/setuprecord.h"
 #include "protocol/simplebgc/adjustables.h"
 #include "protocol/simplebgc/faults.h"
 #include "protocol/simplebgc/parametertables.h"
@@ -111,6 +112,16 @@ bool addSimpleBgc(Texts &texts)
     texts.add(board.device.actions());
     for (const SteeringMode &mode : board.device.modes())
         texts.add(mode.label);
+    for (const SetupStepSpec &step : setupSteps()) {
+        texts.add(std::span(&step.action, 1));
+        texts.add(step.needs);
+    }
+    for (const SetupFigureSpec &figure : setupFigures())
+        texts.add(figure.label);
+    for (const SetupRemarkSpec &remark : setupRemarks())
+        texts.add(remark.text);
+    for (const char *word : setupCertificateWords())
+        texts.add(word);
     return true;
 }
 #endif

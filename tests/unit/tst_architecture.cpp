@@ -31,7 +31,7 @@ const QMap<QString, QStringList> &allowed()
     static const QStringList shown{u"protocol/base"_s, u"protocol/analysis"_s, u"protocol/telemetry"_s, u"protocol/device"_s,
                                    u"protocol/configuration"_s, u"protocol/supervisor"_s, u"protocol/client"_s};
     static const QStringList drawn = shown + QStringList{u"widgets/models"_s, u"widgets/theme"_s};
-    static const QStringList core = family + QStringList{u"protocol/supervisor"_s, u"protocol/client"_s, u"protocol/record"_s, u"protocol/procedure"_s};
+    static const QStringList core = family + QStringList{u"protocol/supervisor"_s, u"protocol/client"_s, u"protocol/record"_s, u"protocol/procedure"_s, u"protocol/guide"_s};
     static const QStringList shared = core + QStringList{u"app/composition"_s, u"widgets/models"_s, u"widgets/theme"_s, u"widgets/forms"_s,
                                                          u"widgets/plot"_s, u"widgets/views"_s, u"widgets/gamepad"_s, u"protocol/video"_s};
     static const QStringList page = shared + QStringList{u"app/workspace"_s};
@@ -56,6 +56,7 @@ const QMap<QString, QStringList> &allowed()
         {u"protocol/blackbox"_s, family},
         {u"protocol/record"_s, family},
         {u"protocol/procedure"_s, family + QStringList{u"protocol/record"_s}},
+        {u"protocol/guide"_s, family + QStringList{u"protocol/record"_s, u"protocol/procedure"_s}},
         {u"protocol/video"_s, {u"protocol/base"_s}},
         {u"protocol/simulator/world"_s, {u"protocol/base"_s, u"protocol/transport"_s}},
         {u"protocol/simulator/video"_s, {u"protocol/base"_s, u"protocol/transport"_s, u"protocol/video"_s, u"protocol/simulator/world"_s}},

@@ -40,12 +40,12 @@ constexpr auto kErrors = std::to_array<ErrorRow>({
      QT_TRANSLATE_NOOP("ErrorText", "Cancelled.")},
     {ErrorCode::Timeout,
      QT_TRANSLATE_NOOP("ErrorText", "The board did not answer in time."),
-     QT_TRANSLATE_NOOP("ErrorText", "It may be busy, restarting, or the cable may be disturbed."),
-     QT_TRANSLATE_NOOP("ErrorText", "Try again; if that does not help, check cable and power.")},
+     QT_TRANSLATE_NOOP("ErrorText", "It may be busy, restarting, or the cable or the network may be disturbed."),
+     QT_TRANSLATE_NOOP("ErrorText", "Try again; if that does not help, check its cable or network, and its power.")},
     {ErrorCode::LinkClosed,
      QT_TRANSLATE_NOOP("ErrorText", "The link to the board broke."),
      QT_TRANSLATE_NOOP("ErrorText", "What the board does now is not known: it may go on as before, or have restarted and run its motors."),
-     QT_TRANSLATE_NOOP("ErrorText", "Check cable and power; the program connects again by itself.")},
+     QT_TRANSLATE_NOOP("ErrorText", "Check its cable or network, and its power; the program connects again by itself.")},
     {ErrorCode::PortNotFound,
      QT_TRANSLATE_NOOP("ErrorText", "There is no such port."),
      QT_TRANSLATE_NOOP("ErrorText", "The adapter is not plugged in, or it has another name now."),
@@ -72,8 +72,8 @@ constexpr auto kErrors = std::to_array<ErrorRow>({
      QT_TRANSLATE_NOOP("ErrorText", "Check that this is the board's address and port, that the board behind it has power, and that nobody else is connected to it.")},
     {ErrorCode::Garbage,
      QT_TRANSLATE_NOOP("ErrorText", "Bytes arrive, but they make no sense."),
-     QT_TRANSLATE_NOOP("ErrorText", "The rate is unknown, the cable is disturbed, or it is another kind of device."),
-     QT_TRANSLATE_NOOP("ErrorText", "Check cable and ground, and that this is the board's port.")},
+     QT_TRANSLATE_NOOP("ErrorText", "It is another kind of device, or, on a cable, the rate is unknown or the cable is disturbed."),
+     QT_TRANSLATE_NOOP("ErrorText", "Check that this is the board's port or address; on a cable, check it and its ground.")},
     {ErrorCode::WrongProtocol,
      QT_TRANSLATE_NOOP("ErrorText", "This device speaks another protocol."),
      QT_TRANSLATE_NOOP("ErrorText", "It is not a board of the chosen family."),
@@ -85,7 +85,7 @@ constexpr auto kErrors = std::to_array<ErrorRow>({
     {ErrorCode::Damaged,
      QT_TRANSLATE_NOOP("ErrorText", "The command reached the board damaged."),
      QT_TRANSLATE_NOOP("ErrorText", "The board discarded it, even when it was repeated; it changed nothing."),
-     QT_TRANSLATE_NOOP("ErrorText", "The line is disturbed: check cable, ground and rate, then try again.")},
+     QT_TRANSLATE_NOOP("ErrorText", "The line is disturbed: on a cable, check it, its ground and its rate; in a network, go nearer. Then try again.")},
     {ErrorCode::BoardError,
      QT_TRANSLATE_NOOP("ErrorText", "The board refused."),
      QT_TRANSLATE_NOOP("ErrorText", "It says that it has not carried out this command.")},
@@ -129,7 +129,7 @@ constexpr auto kErrors = std::to_array<ErrorRow>({
     {ErrorCode::Incomplete,
      QT_TRANSLATE_NOOP("ErrorText", "Parts of the board could not be read."),
      QT_TRANSLATE_NOOP("ErrorText", "Nothing is known about the values in them; they are not shown, compared or saved."),
-     QT_TRANSLATE_NOOP("ErrorText", "Read the board again; if parts keep missing, check cable and power.")},
+     QT_TRANSLATE_NOOP("ErrorText", "Read the board again; if parts keep missing, check its cable or network, and its power.")},
     {ErrorCode::NoBackup,
      QT_TRANSLATE_NOOP("ErrorText", "No safety copy could be made."),
      QT_TRANSLATE_NOOP("ErrorText", "Therefore nothing was changed."),
@@ -137,7 +137,7 @@ constexpr auto kErrors = std::to_array<ErrorRow>({
     {ErrorCode::TooMuch,
      QT_TRANSLATE_NOOP("ErrorText", "The line cannot carry that much data."),
      QT_TRANSLATE_NOOP("ErrorText", "Samples would be lost; nothing was changed."),
-     QT_TRANSLATE_NOOP("ErrorText", "Ask for fewer channels, a lower rate, or set a faster serial speed.")},
+     QT_TRANSLATE_NOOP("ErrorText", "Ask for fewer channels or a lower rate; on a cable, set a faster serial speed.")},
     {ErrorCode::Unready,
      QT_TRANSLATE_NOOP("ErrorText", "The board is not ready for this."),
      QT_TRANSLATE_NOOP("ErrorText", "Nothing was stored. A test needs running motors that hold the camera, and live data; comparing and storing need a board that has started."),
@@ -161,7 +161,7 @@ constexpr auto kErrors = std::to_array<ErrorRow>({
     {ErrorCode::NoSamples,
      QT_TRANSLATE_NOOP("ErrorText", "No live data come."),
      QT_TRANSLATE_NOOP("ErrorText", "The board sends none, none that can be read, or the same again and again; what came before is kept."),
-     QT_TRANSLATE_NOOP("ErrorText", "Check cable and power, and that the board still answers; then start again.")},
+     QT_TRANSLATE_NOOP("ErrorText", "Check cable or network and power, and that the board still answers; then start again.")},
     {ErrorCode::TooFewSamples,
      QT_TRANSLATE_NOOP("ErrorText", "There are too few samples."),
      QT_TRANSLATE_NOOP("ErrorText", "From so few nothing can be told that would be true."),
@@ -312,13 +312,14 @@ ErrorText describe(const Error &error)
     }
     // The disk is not to blame for what the board did not deliver.
     if (error.code == ErrorCode::NoBackup && !error.file && !error.detail.isEmpty())
-        text.cure = Words::tr("Read the board again; if parts keep missing, check cable and power.");
+        text.cure = Words::tr(
+            "Read the board again; if parts keep missing, check its cable or network, and its power.");
     if (error.after) {
         // What was stored before a restart is not lost.
         const bool isStored = error.after->isStoring && error.after->now && !error.after->changes().empty();
         const QString own = error.code == ErrorCode::Restarted && !isStored ? text.meaning + u' ' : QString();
         if (error.code == ErrorCode::LinkClosed && error.after->now)  // so there is a link again
-            text.cure = Words::tr("Check cable and power.");
+            text.cure = Words::tr("Check its cable or network, and its power.");
         tellAftermath(*error.after, text);
         text.meaning.prepend(own);
     }
@@ -521,6 +522,16 @@ QString describe(const Progress &progress)
         return Words::tr("Putting back %1").arg(subject);
     if (progress.step == u"calibrate"_s)
         return Words::tr("Calibrating: keep the camera absolutely still");
+    if (progress.step == u"setup-hold"_s)
+        return Words::tr("Hold the camera level and still");
+    if (progress.step == u"setup-let-go"_s)
+        return Words::tr("Let the camera go now, and catch it if it falls far");
+    if (progress.step == u"setup-move"_s)
+        return Words::tr("Move the camera slowly as far as it may go, each axis both ways");
+    if (progress.step == u"setup-run"_s)
+        return Words::tr("The motors run: watching whether an axis runs away");
+    if (progress.step == u"setup-measure"_s)
+        return Words::tr("Measuring");
     if (progress.step == u"calibrate-motors"_s)
         return Words::tr("The board turns the motors and measures them");
     if (progress.step == u"read-memory"_s)

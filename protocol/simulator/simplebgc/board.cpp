@@ -47,6 +47,8 @@ SimulatedBoard::SimulatedBoard(const SimulatorOptions &options)
     store(u"pid.yaw.p"_s, 1, int(spec(u"pid.yaw.p"_s)->toRaw(50)));
     store(u"follow.yaw.speed"_s, 1, 25);
     store(u"imu.gyro_trust"_s, 2, 190);
+    if (m_options.own.contains(u"condition"_s))
+        unpack();
     boot();
 }
 
@@ -74,6 +76,27 @@ void SimulatedBoard::loadDefaults(int profile)
     if (const ParameterSpec *skip = spec(u"imu.skip_gyro_calibration"_s))
         skip->write(blocks[Params3], 1);
     spec(u"imu.frame.position"_s)->write(blocks[Params3], kAboveYaw);
+}
+
+// As it comes out of its box: motors that nobody has told of, one of them the wrong way round, gains that
+// suit no camera in particular, thresholds of another battery.
+void SimulatedBoard::unpack()
+{
+    m_ram = m_eeprom[std::size_t(m_active)];
+    for (int profile = 0; profile < kProfileCount; ++profile) {
+        for (const Axis axis : kAxes) {
+            const QString name = QLatin1String(axisKey(axis));
+            for (const auto &[gain, value] : {std::pair(u"p"_s, 12.0), {u"i"_s, 0.05}, {u"d"_s, 12.0}}) {
+                const ParameterSpec *parameter = spec(u"pid.%1.%2"_s.arg(name, gain));
+                store(parameter->key, profile, int(parameter->clamped(parameter->toRaw(value))));
+            }
+        }
+    }
+    for (const Axis axis : kAxes)
+        store(u"motor.%1.poles"_s.arg(QLatin1String(axisKey(axis))), 0, 22);
+    store(u"motor.pitch.invert"_s, 0, 1);
+    store(u"battery.alarm"_s, 0, 1400);
+    store(u"battery.motors_off"_s, 0, -1200);
 }
 
 void SimulatedBoard::boot()
@@ -284,9 +307,12 @@ void SimulatedBoard::updateFaults()
     const Faults &faults = m_options.faults;
     m_stabilizer.setImuPresent(!faults.noImu);
     m_stabilizer.setPose(faults.pose);
+    m_stabilizer.setHandOnCamera(Stabilizer::Hand(faults.hand));
     m_stabilizer.setSwappedMotors(faults.swappedAxes);
-    for (std::size_t i = 0; i < kAxisCount; ++i)
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
         m_stabilizer.plant(kAxes[i]).setBlocked(faults.blocked == int(i) + 1);
+        m_stabilizer.plant(kAxes[i]).setImbalance(faults.imbalance / 100);
+    }
     m_stabilizer.hand().setStrength(isCalibrating() && faults.shake <= 2.0 ? 0.0 : faults.shake);
     const double volts
         = (faults.battery > 0 ? faults.battery : kNominalVoltage) - 0.04 * m_stabilizer.current();

@@ -70,6 +70,7 @@ private:
 
     // memory (board.cpp)
     void loadDefaults(int profile);
+    void unpack();
     void loadProfile(int profile);
     void applyParameters();
     void shareBoardValues(int from);

@@ -37,6 +37,20 @@ Result<void> readBoard(SimulatorSetup &setup, const QString &text)
     return {};
 }
 
+// A camera is mounted, but nobody has balanced it yet.
+constexpr double kUnbalanced = 500;  // %
+
+Result<void> readCondition(SimulatorSetup &setup, const QString &text)
+{
+    if (text != u"new"_s && text != u"used"_s)
+        return failure(ErrorCode::InvalidArgument, u"condition is new or used, not '%1'"_s.arg(text));
+    if (text == u"new"_s) {
+        setup.options.own[u"condition"_s] = 1;
+        setup.options.faults.imbalance = kUnbalanced;
+    }
+    return {};
+}
+
 Result<void> readNumber(SimulatorSetup &setup, const QString &text)
 {
     if (text != u"00"_s && text != u"ff"_s)
@@ -62,6 +76,11 @@ SimulatedFamily simulatedFamily()
         {LinkAddress::Kind::Serial, LinkAddress::Kind::Tcp},
         {u"2.59 (default), 2.40 ... 2.73.8"_s, parseFirmware},
         {{u"board"_s, u"N"_s, {u"board version times ten, default 30"_s}, readBoard},
+         {u"condition"_s,
+          u"C"_s,
+          {u"used (default) or new: just unpacked, with the wrong poles and a wrong direction,"_s,
+           u"uncalibrated, out of balance, with gains of nobody and thresholds of another battery"_s},
+          readCondition},
          {u"number"_s, u"XX"_s, {u"00 or ff: no number of its own, but bytes of that kind"_s}, readNumber},
          {u"parity"_s,
           u"P"_s,

@@ -40,6 +40,9 @@ struct Faults
     bool swappedAxes = false;  ///< swapped-axes: roll and pitch motors are swapped
     int pose = 0;  ///< pose: 0 in the gimbal, 1-6 the camera lies still with Z, -Z, X, -X, Y, -Y up, 7 tilted
                    ///< 45° down; a drone: see its board
+    int hand = 0;  ///< hand: what a hand does with the camera in the gimbal: 0 nothing, 1 holds it level, 2
+                   ///< moves it to and fro as far as it goes
+    double imbalance = 100;  ///< imbalance: how far off balance the camera is mounted, % of a usual one
     int mount = 0;  ///< mount: orientation of the sensor on the camera, as STorM32 numbers them
     int frameMount = 0;  ///< frame-mount: the same for the second sensor, at the frame
 

@@ -35,7 +35,7 @@ void AxisPlant::step(double seconds, double torque, double frameAngle, double fr
         const double slip = m_rate - frameRate;
         double acceleration = drive;
         acceleration -= m_mechanics.viscous * slip + m_mechanics.coulomb * std::tanh(slip / 1.5);
-        acceleration += m_mechanics.imbalance * std::cos(radians(m_angle));
+        acceleration += m_imbalance * m_mechanics.imbalance * std::cos(radians(m_angle));
         acceleration += m_mechanics.cogging * std::sin(radians(jointAngle()) * m_mechanics.poles);
         m_rate += acceleration * dt;
         m_angle += m_rate * dt;

@@ -56,6 +56,8 @@ public:
     /// Attitude of the camera about this axis in degrees, including the structure's resonance.
     [[nodiscard]] double angle() const { return m_angle + m_bend; }
     [[nodiscard]] double rate() const { return m_rate + m_bendRate; }
+    /// The same without the structure's resonance.
+    [[nodiscard]] double trueAngle() const { return m_angle; }
     /// Angle between frame and camera.
     [[nodiscard]] double jointAngle() const { return m_angle - m_frameAngle; }
     [[nodiscard]] bool isAtStop() const { return m_atStop; }
@@ -64,6 +66,14 @@ public:
         m_angle = degrees;
         m_rate = m_bend = m_bendRate = m_motor = 0.0;
     }
+    /// A hand moves it: that is where it is, and how fast it turns.
+    void setMotion(double degrees, double rate)
+    {
+        setAngle(degrees);
+        m_rate = rate;
+    }
+    /// How far off balance it is mounted, relative to what the mechanics say.
+    void setImbalance(double share) { m_imbalance = share; }
     /// Something holds the camera fast to the frame.
     void setBlocked(bool blocked) { m_isBlocked = blocked; }
     [[nodiscard]] const AxisMechanics &mechanics() const { return m_mechanics; }
@@ -78,6 +88,7 @@ private:
     double m_frameAngle = 0;
     bool m_atStop = false;
     bool m_isBlocked = false;
+    double m_imbalance = 1;
 };
 
 /// The hand that holds the frame: slow sway and faster tremor about three axes.

@@ -110,6 +110,31 @@ void Stabilizer::setPose(int pose)
         resetEstimate();
 }
 
+void Stabilizer::setHandOnCamera(Hand hand)
+{
+    if (std::exchange(m_handOnCamera, hand) != hand)
+        m_moved = 0;
+}
+
+// Each axis to both ends and back, one after the other, as slowly as one looks where the cables are; from
+// wherever it hangs it is brought there first.
+void Stabilizer::moveByHand()
+{
+    constexpr std::array<double, kAxisCount> kReach{40, 85, 150};  // degrees
+    constexpr double kPeriod = 6;  // seconds
+    constexpr double kFastest = 180;  // deg/s
+    m_moved += kCycle;
+    const auto turn = std::size_t(std::fmod(m_moved / kPeriod, double(kAxisCount)));
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
+        AxisPlant &plant = m_axes[i].plant;
+        double wanted = 0;
+        if (m_handOnCamera == Hand::Moves && i == turn)
+            wanted = kReach[i] * std::sin(2 * std::numbers::pi * std::fmod(m_moved, kPeriod) / kPeriod);
+        const double step = std::clamp(wanted - plant.trueAngle(), -kFastest * kCycle, kFastest * kCycle);
+        plant.setMotion(plant.trueAngle() + step, step / kCycle);
+    }
+}
+
 void Stabilizer::setBelievedAxes(const Rotation &axes)
 {
     if (std::exchange(m_believed, axes) != axes)
@@ -144,7 +169,9 @@ void Stabilizer::step()
     }
     if (m_swapped)
         std::swap(torque[0], torque[1]);
-    for (std::size_t i = 0; i < m_axes.size(); ++i) {
+    if (m_handOnCamera != Hand::None)
+        moveByHand();
+    for (std::size_t i = 0; i < m_axes.size() && m_handOnCamera == Hand::None; ++i) {
         AxisPlant &plant = m_axes[i].plant;
         if (m_held || m_pose != 0)
             plant.setAngle(plant.angle());

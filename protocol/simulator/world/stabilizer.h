@@ -70,6 +70,9 @@ public:
     /// 0 = in the gimbal.
     void setPose(int pose);
     [[nodiscard]] int pose() const { return m_pose; }
+    /// What a hand does with the camera in the gimbal.
+    enum class Hand { None, HoldsLevel, Moves };
+    void setHandOnCamera(Hand hand);
     /// True gravity, in g, in the camera's axes right, forward and up.
     [[nodiscard]] const std::array<double, kAxisCount> &gravity() const { return m_gravity; }
     /// The accelerometer before calibration, in g.
@@ -131,6 +134,7 @@ private:
     };
     static std::size_t index(Axis axis) { return static_cast<std::size_t>(axis); }
     void sense();
+    void moveByHand();
     void misjudge();
     void updateEstimate();
     void control(AxisState &axis);
@@ -152,5 +156,7 @@ private:
     bool m_imuPresent = true;
     bool m_held = false;
     int m_pose = 0;
+    Hand m_handOnCamera = Hand::None;
+    double m_moved = 0;  // seconds since a hand has begun to move it
     bool m_swapped = false;
 };

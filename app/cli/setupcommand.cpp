@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/actioncommand.h"
+#include "protocol/base/filefault.h"
+#include "protocol/guide/setupguide.h"
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const QString kNext = u"next"_s;
+
+QString english(const char *text)
+{
+    return QString::fromUtf8(text);
+}
+
+QString resultText(const SetupResult &result)
+{
+    QString text;
+    for (const SetupFigure &figure : result.figures)
+        text
+            += u"%1 %2\n"_s.arg(setupFigureLabel(figure, english).leftJustified(32), setupFigureText(figure));
+    for (const SetupChange &change : result.changes)
+        text += u"%1 %2 -> %3\n"_s.arg(change.key.leftJustified(32), change.from, change.to);
+    for (const QString &key : result.remarks) {
+        if (const SetupRemarkSpec *remark = findSetupRemark(key))
+            text += english(remark->text) + u'\n';
+    }
+    return text;
+}
+
+/// Leads from an unpacked gimbal to a tuned one, step by step.
+class SetupCommand final : public BoardCommand
+{
+public:
+    using BoardCommand::BoardCommand;
+    const char *name() const override { return "setup"; }
+    const char *words() const override { return "[STEP|next [ANSWER=VALUE...]]"; }
+    QString help() const override
+    {
+        return u"set up a new gimbal step by step; without a step: what they are, and how far it has come"_s;
+    }
+    const char *example() const override { return "--link serial:/dev/ttyUSB0 setup power cells=3"; }
+    QList<CommandOption> options() override
+    {
+        return {switchOption(u"confirmed"_s, u"what the step asks to be confirmed is so"_s, m_confirmed),
+                switchOption(u"skip"_s, u"leave the step out; the certificate says so"_s, m_skip),
+                switchOption(u"anew"_s, u"forget what was done before"_s, m_anew),
+                textOption(u"certificate"_s, u"FILE"_s, u"write all that was found into an HTML page"_s,
+                           m_certificate)};
+    }
+    QString check() const override
+    {
+        if (arguments().isEmpty())
+            return m_skip ? u"setup --skip needs the step to leave out"_s : QString();
+        if (arguments().first() == kNext || findSetupStep(arguments().first()))
+            return {};
+        QStringList names;
+        for (const SetupStepSpec &spec : setupSteps())
+            names.append(QLatin1String(spec.action.key));
+        return u"there is no step '%1'; there are: %2, and next"_s.arg(arguments().first(),
+                                                                       names.join(u", "_s));
+    }
+    bool moves() const override { return !arguments().isEmpty() && !m_skip; }
+
+protected:
+    QList<int> awaits(const Device &device) const override
+    {
+        return moves() ? SetupGuide::channels(device) : QList<int>();
+    }
+    Result<CommandOutcome> run(Channel &channel, Device &device) override
+    {
+        const std::vector<SetupStep> steps = stepsOf(device);
+        if (steps.empty())
+            return failure(ErrorCode::Unsupported, u"no set-up is known for this board"_s);
+        const QString file = history().setupFile(device.identity().serial);
+        auto record = m_anew ? SetupRecord(device.identity()) : SetupRecord::load(file, device.identity());
+        if (!record)
+            return tl::unexpected(record.error());
+        CommandOutcome outcome;
+        if (!arguments().isEmpty()) {
+            const auto done = step(channel, device, steps, *record, outcome);
+            if (!done)
+                return tl::unexpected(done.error());
+        }
+        if (m_anew || !arguments().isEmpty()) {
+            if (const auto saved = record->save(file); !saved)
+                return tl::unexpected(saved.error());
+        }
+        if (arguments().isEmpty())
+            list(steps, *record, outcome);
+        if (!m_certificate.isEmpty()) {
+            const QString page = setupCertificate(*record, steps, english);
+            if (const auto saved = writeWhole(m_certificate, page.toUtf8()); !saved)
+                return tl::unexpected(saved.error());
+            outcome.note += u"the certificate is in %1\n"_s.arg(m_certificate);
+        }
+        return outcome;
+    }
+
+private:
+    Result<void> step(Channel &channel, Device &device, const std::vector<SetupStep> &steps,
+                      SetupRecord &record, CommandOutcome &outcome)
+    {
+        const auto next = record.next(steps);
+        if (arguments().first() == kNext && !next) {
+            outcome.text = u"every step is done or left out\n"_s;
+            outcome.json = record.toJson();
+            return {};
+        }
+        const SetupStepSpec &spec
+            = arguments().first() == kNext ? setupStep(*next) : *findSetupStep(arguments().first());
+        const QString key = QLatin1String(spec.action.key);
+        SetupResult result;
+        if (m_skip) {
+            result.state = SetupResult::State::Skipped;
+            result.at = QDateTime::currentDateTimeUtc();
+        } else {
+            const auto answers = parseAnswers(spec);
+            if (!answers)
+                return tl::unexpected(answers.error());
+            if (*spec.action.confirm && !m_confirmed)
+                return failure(ErrorCode::InvalidArgument,
+                               u"%1 has to be confirmed with --confirmed each time: \"%2\""_s.arg(
+                                   key, english(spec.action.confirm)));
+            if (*spec.needs)
+                emit told(u"%1: %2"_s.arg(key, english(spec.needs)));
+            const auto done = SetupGuide(channel, device, *telemetry(), history())
+                                  .run(spec.step, *answers, record.result(SetupStep::Motors).isOver());
+            if (!done) {
+                result.state = SetupResult::State::Failed;
+                result.at = QDateTime::currentDateTimeUtc();
+                result.why = consoleText(done.error()).oneLine();
+                record.set(spec.step, result);
+                std::ignore = record.save(history().setupFile(device.identity().serial));
+                return tl::unexpected(done.error());
+            }
+            result = *done;
+        }
+        record.set(spec.step, result);
+        outcome.text = u"%1: %2\n"_s.arg(key, setupStateKey(result.state)) + resultText(result);
+        outcome.json = record.toJson().value(u"steps"_s).toObject().value(key);
+        outcome.exitCode = result.state == SetupResult::State::Poor ? Refused : Done;
+        if (const auto after = record.next(steps))
+            outcome.note = u"next: %1\n"_s.arg(QLatin1String(setupStep(*after).action.key));
+        if (!result.snapshot.isEmpty())
+            outcome.note += u"snapshot: %1\n"_s.arg(result.snapshot);
+        return {};
+    }
+
+    Result<QVariantMap> parseAnswers(const SetupStepSpec &spec) const
+    {
+        QMap<QString, QString> texts;
+        for (const QString &word : arguments().mid(1)) {
+            if (word.indexOf(u'=') < 1)
+                return failure(ErrorCode::InvalidArgument, u"'%1' is not ANSWER=VALUE"_s.arg(word));
+            texts.insert(word.section(u'=', 0, 0), word.section(u'=', 1));
+        }
+        return parseArguments(spec.action, texts);
+    }
+
+    static void list(const std::vector<SetupStep> &steps, const SetupRecord &record, CommandOutcome &outcome)
+    {
+        for (const SetupStep step : steps) {
+            const SetupStepSpec &spec = setupStep(step);
+            outcome.text += u"%1 %2 %3\n"_s.arg(QString::fromLatin1(spec.action.key).leftJustified(12),
+                                                setupStateKey(record.result(step).state).leftJustified(9),
+                                                english(spec.action.help));
+        }
+        const auto next = record.next(steps);
+        outcome.json = record.toJson();
+        outcome.note = next ? u"next: %1\n"_s.arg(QLatin1String(setupStep(*next).action.key))
+                            : u"every step is done or left out\n"_s;
+    }
+
+    bool m_confirmed = false;
+    bool m_skip = false;
+    bool m_anew = false;
+    QString m_certificate;
+};
+
+}  // namespace
+
+Commands setupCommands(const CommandContext &context)
+{
+    return makeCommands<SetupCommand>(context);
+}

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <utility>
+#include <vector>
+
+/// What a gimbal can be for, and which values follow from that.
+struct GimbalUse
+{
+    const char *key = "";
+    /// By key of the parameter, as it is shown.
+    std::vector<std::pair<QString, double>> values;
+};
+
+/// What a board calls that which a new gimbal needs to have found and set; an empty name: it has no such
+/// thing. Names of an axis' parameters have "%1" for it.
+struct SetupKeys
+{
+    QString batteryAlarm;  ///< V
+    QString batteryOff;  ///< V below which motors are switched off
+    QString poles;
+    QString inverted;
+    QString lowest;  ///< degrees that steering reaches
+    QString highest;
+    // Actions.
+    QString calibrateGyro;  ///< its reply has "gyro.bias.before" and "gyro.bias.after", °/s
+    QString calibrateLevel;  ///< its reply has "acc.error.before" and "acc.error.after", g
+    QString findPoles;
+    QString autoTune;
+    QStringList gains;  ///< of an axis, which the board's own search sets
+    std::vector<GimbalUse> uses;
+};
+
+/// Boards that can be led from the box to a tuned gimbal.
+class SetupFacts
+{
+public:
+    virtual ~SetupFacts() = default;
+    [[nodiscard]] virtual SetupKeys setupKeys() const = 0;
+};

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/guide/setupstep.h"
+
+#include "protocol/device/device.h"
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+// clang-format off
+constexpr Choice kChemistries[] = {{0, "lipo"}, {1, "liion"}};
+constexpr Choice kUses[] = {{0, "handheld"}, {1, "drone"}, {2, "vehicle"}, {3, "tripod"}};
+
+constexpr ArgumentSpec kPowerArguments[] = {
+    {.key = "cells", .label = "Cells of the battery (0 = find out)", .kind = ArgumentKind::Integer, .min = 0, .max = 14, .defaultText = "0"},
+    {.key = "chemistry", .label = "Kind of battery", .kind = ArgumentKind::Choice, .choices = kChemistries, .defaultText = "lipo"}};
+constexpr ArgumentSpec kLimitArguments[] = {
+    {.key = "seconds", .label = "Time for moving it", .kind = ArgumentKind::Real, .min = 5, .max = 120, .unit = "s", .defaultText = "20"},
+    {.key = "margin", .label = "Margin at each end", .kind = ArgumentKind::Real, .min = 0, .max = 20, .unit = "°", .defaultText = "3"}};
+constexpr ArgumentSpec kUseArguments[] = {
+    {.key = "use", .label = "What the gimbal is for", .kind = ArgumentKind::Choice, .choices = kUses, .defaultText = "handheld"},
+    {.key = "apply", .label = "Write the values (off: only show what would change)", .kind = ArgumentKind::Toggle, .defaultText = "off"}};
+
+constexpr SetupStepSpec kSteps[] = {
+    {SetupStep::Power,
+     {.key = "power", .label = "Battery", .help = "Measures the voltage, finds how many cells the battery has, and sets the alarm and the voltage below which motors are switched off.",
+      .risk = ActionRisk::Writes, .arguments = kPowerArguments},
+     "The battery that the gimbal is used with is connected, and full or nearly so.", "parameters"},
+    {SetupStep::Gyroscope,
+     {.key = "gyroscope", .label = "Gyroscope", .help = "Measures the zero of the sensor of turn rate, and compares it with before.", .risk = ActionRisk::Writes,
+      .confirm = "The camera lies or is held: its motors may let go"},
+     "The camera lies or hangs absolutely still.", "calibration"},
+    {SetupStep::Level,
+     {.key = "level", .label = "Horizon", .help = "Measures what the accelerometer takes for level, and compares it with before.", .risk = ActionRisk::Writes,
+      .confirm = "The camera lies or is held: its motors may let go"},
+     "The camera stands level and still.", "calibration"},
+    {SetupStep::Balance,
+     {.key = "balance", .label = "Balance", .help = "Switches the motors off, waits until the camera is held level, and measures how far it swings when it is let go.",
+      .risk = ActionRisk::Moves, .confirm = "I hold the camera"},
+     "The camera is mounted as it will be used, with its lens and its cables. The frame stands still, best on a stand.", ""},
+    {SetupStep::Motors,
+     {.key = "motors", .label = "Motors", .help = "The board turns each motor to find its poles and its direction. Then the motors start, and are switched off at once where an axis runs away.",
+      .risk = ActionRisk::Writes, .confirm = "The camera is balanced and can turn freely"},
+     "The gimbal is held or stands so that nothing is in the way of the camera.", "actions"},
+    {SetupStep::Gains,
+     {.key = "gains", .label = "Gains", .help = "Measures how well the camera is held, lets the board search its gains, and measures again. Where it is held worse than before, the old gains are written back.",
+      .risk = ActionRisk::Writes},
+     "The gimbal is held in the hand as in use, and the motors run.", "autotune"},
+    {SetupStep::Vibration,
+     {.key = "vibration", .label = "Vibration", .help = "Measures how the camera vibrates while it is held, and which line of each axis is the strongest."},
+     "The gimbal is held in the hand as in use, and the motors run.", "spectrum"},
+    {SetupStep::Limits,
+     {.key = "limits", .label = "Range", .help = "Switches the motors off, watches how far the camera is moved by hand, and sets the range that steering may reach.",
+      .risk = ActionRisk::Writes, .arguments = kLimitArguments, .confirm = "I hold the camera"},
+     "The frame stands level and still while the camera is moved as far as it may go.", "parameters"},
+    {SetupStep::Use,
+     {.key = "use", .label = "Use", .help = "Shows which values follow from what the gimbal is for, and writes them if they are wanted.", .risk = ActionRisk::Writes, .arguments = kUseArguments},
+     "", "parameters"},
+};
+static_assert(std::size(kSteps) == kSetupSteps);
+
+constexpr SetupFigureSpec kFigures[] = {
+    {"voltage", "Voltage", "V", 2}, {"cells", "Cells", "", 0}, {"percell", "Voltage of a cell", "V", 2},
+    {"alarm", "Alarm below", "V", 2}, {"off", "Motors off below", "V", 2},
+    {"bias", "Zero of the gyroscope", "°/s", 3}, {"acc", "Error of the accelerometer", "g", 4},
+    {"drift", "Swings when let go", "°", 1}, {"poles", "Poles", "", 0}, {"inverted", "Inverted", "", 0},
+    {"strays", "Strays from its target", "°", 1}, {"holds", "Held to", "° RMS", 3}, {"line", "Strongest line", "Hz", 1},
+    {"shakes", "Vibrates", "°/s RMS", 2}, {"lowest", "Lowest angle", "°", 0}, {"highest", "Highest angle", "°", 0},
+};
+
+constexpr SetupRemarkSpec kRemarks[] = {
+    {"power.set", "The thresholds fit the battery now."},
+    {"power.fits", "The thresholds fitted the battery already."},
+    {"calibrated.good", "That is good."},
+    {"calibrated.usable", "That is usable; in a steadier place it gets better.", false},
+    {"calibrated.poor", "That is poor: do it again in a steadier place.", false},
+    {"motors.off", "The motors are off until the step “Motors” has found what they are."},
+    {"balance.good", "It is balanced."},
+    {"balance.bad", "It is not balanced on the axis that swings: move the camera on its plate against it, and measure again. Motors that carry weight get hot and hold badly.", false},
+    {"motors.changed", "The board has found other motors than it was set to."},
+    {"motors.same", "The motors are as they were set."},
+    {"motors.hold", "No axis runs away."},
+    {"gains.better", "It is held better than before."},
+    {"gains.same", "It is held about as before."},
+    {"gains.takenback", "It was held worse than before: the old gains were written back.", false},
+    {"gains.worse", "It is held worse than before, and the old gains could not be written back: see Backups.", false},
+    {"vibration.calm", "Nothing vibrates in a line of its own."},
+    {"vibration.lines", "Some lines stand out: Vibration (page Spectrum) says whether a notch helps, and tries it.", false},
+    {"vibration.strong", "An axis vibrates strongly: lower its gains (page Tuning), and measure again.", false},
+    {"limits.set", "Steering reaches what you have shown, less the margin."},
+    {"limits.kept", "An axis was hardly moved: its range stays as it was.", false},
+    {"use.shown", "Nothing is written yet."},
+    {"use.set", "The values are written."},
+    {"use.same", "All values are so already."},
+};
+// clang-format on
+
+template <typename Row> const Row *longestOf(std::span<const Row> rows, const QString &key)
+{
+    const auto it = std::find_if(rows.begin(), rows.end(), [&key](const Row &row) {
+        const QString name = QLatin1String(row.key);
+        return key == name || key.startsWith(name + u'.');
+    });
+    return it == rows.end() ? nullptr : &*it;
+}
+
+}  // namespace
+
+std::span<const SetupStepSpec> setupSteps()
+{
+    return kSteps;
+}
+
+const SetupStepSpec &setupStep(SetupStep step)
+{
+    return kSteps[std::size_t(step)];
+}
+
+const SetupStepSpec *findSetupStep(const QString &key)
+{
+    const auto it = std::find_if(std::begin(kSteps), std::end(kSteps), [&key](const SetupStepSpec &spec) {
+        return key == QLatin1String(spec.action.key);
+    });
+    return it == std::end(kSteps) ? nullptr : &*it;
+}
+
+std::vector<SetupStep> stepsOf(const Device &device)
+{
+    std::vector<SetupStep> steps;
+    const SetupFacts *facts = device.setupFacts();
+    if (!facts)
+        return steps;
+    const SetupKeys keys = facts->setupKeys();
+    const ChannelRoles roles = rolesOf(device);
+    const bool hasAngles = roles.angle[0] >= 0 && roles.angle[1] >= 0;
+    const auto parameters = device.parameters();
+    const auto knows = [&parameters](const QString &key) {
+        return !key.isEmpty() && parameters->find(key.contains(u'%') ? key.arg(u"roll"_s) : key);
+    };
+    const auto offers = [&device](const QString &key) {
+        const auto actions = device.actions();
+        return std::any_of(actions.begin(), actions.end(),
+                           [&key](const ActionSpec &action) { return key == QLatin1String(action.key); });
+    };
+    const std::array<bool, kSetupSteps> isThere{
+        knows(keys.batteryAlarm) && roles.battery >= 0,
+        offers(keys.calibrateGyro),
+        offers(keys.calibrateLevel),
+        device.motorSwitch() && hasAngles,
+        offers(keys.findPoles) && device.motorSwitch() && hasAngles,
+        offers(keys.autoTune) && hasAngles && roles.target[0] >= 0,
+        roles.gyro[0] >= 0,
+        knows(keys.lowest) && device.motorSwitch() && hasAngles,
+        !keys.uses.empty(),
+    };
+    for (const SetupStepSpec &spec : kSteps) {
+        if (isThere[std::size_t(spec.step)])
+            steps.push_back(spec.step);
+    }
+    return steps;
+}
+
+std::span<const SetupFigureSpec> setupFigures()
+{
+    return kFigures;
+}
+
+const SetupFigureSpec *findSetupFigure(const QString &key)
+{
+    return longestOf(setupFigures(), key);
+}
+
+std::span<const SetupRemarkSpec> setupRemarks()
+{
+    return kRemarks;
+}
+
+const SetupRemarkSpec *findSetupRemark(const QString &key)
+{
+    return longestOf(setupRemarks(), key);
+}

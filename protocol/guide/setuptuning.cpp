@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The steps that measure how the camera is held, and what it is for.
+#include "protocol/analysis/notchadvice.h"
+#include "protocol/device/device.h"
+#include "protocol/guide/setupguide.h"
+#include "protocol/procedure/safeaction.h"
+#include "protocol/session/channel.h"
+#include "protocol/telemetry/uniformsamples.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr double kHoldingSeconds = 8;
+constexpr auto kRest = 2s;
+constexpr double kBetter = 0.95;
+constexpr double kWorse = 1.1;
+constexpr double kStrong = 3;  // °/s RMS: a hand-held camera that is held well has a tenth of it
+constexpr double kLeastRange = 10;  // degrees, or the axis was not meant
+
+double rmsOfAngles(const std::vector<float> &values)
+{
+    double sum = 0;
+    for (const float value : values) {
+        const double part = std::remainder(double(value), 360.0);
+        sum += part * part;
+    }
+    return values.empty() ? 0.0 : std::sqrt(sum / double(values.size()));
+}
+
+double wholeOf(const std::array<double, kAxisCount> &held)
+{
+    return std::sqrt(held[0] * held[0] + held[1] * held[1] + held[2] * held[2]);
+}
+
+}  // namespace
+
+Result<std::pair<double, double>> SetupGuide::measure(double seconds)
+{
+    const double from = m_telemetry.secondsAt(m_channel.now());
+    const auto watched = watch(
+        seconds, []() -> Result<void> { return {}; }, u"setup-measure"_s);
+    if (!watched)
+        return tl::unexpected(watched.error());
+    return std::pair(from, m_telemetry.secondsAt(m_channel.now()));
+}
+
+Result<SetupGuide::Figures> SetupGuide::measureHolding()
+{
+    if (const auto news = awaitNews(ChannelRoles::present({m_roles.angle, m_roles.target})); !news)
+        return tl::unexpected(news.error());
+    const auto span = measure(kHoldingSeconds);
+    if (!span)
+        return tl::unexpected(span.error());
+    Figures held{};
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        if (m_roles.angle[axis] < 0 || m_roles.target[axis] < 0)
+            continue;
+        const auto samples = uniformSamples(m_telemetry, m_roles.angle[axis], m_roles.target[axis],
+                                            span->first, span->second);
+        if (!samples)
+            return tl::unexpected(samples.error());
+        held[axis] = rmsOfAngles(samples->values);
+    }
+    return held;
+}
+
+Result<SetupResult> SetupGuide::gains()
+{
+    if (const auto run = requireMotors(); !run)
+        return tl::unexpected(run.error());
+    const auto base = m_device.readConfiguration(m_channel);
+    if (!base)
+        return tl::unexpected(base.error());
+    const auto before = measureHolding();
+    if (!before)
+        return tl::unexpected(before.error());
+    const auto actions = m_device.actions();
+    const auto tune = std::find_if(actions.begin(), actions.end(), [this](const ActionSpec &each) {
+        return m_keys.autoTune == QLatin1String(each.key);
+    });
+    const auto arguments = parseArguments(*tune, {});
+    if (!arguments)
+        return tl::unexpected(arguments.error());
+    const auto done
+        = performSafely(m_channel, m_device, m_keys.autoTune, *arguments, m_history, m_live, &m_telemetry);
+    if (!done)
+        return tl::unexpected(done.error());
+    if (const auto slept = m_channel.sleep(kRest); !slept)
+        return tl::unexpected(slept.error());
+    const auto after = measureHolding();
+    if (!after)
+        return tl::unexpected(after.error());
+    const auto now = m_device.readConfiguration(m_channel);
+    if (!now)
+        return tl::unexpected(now.error());
+    SetupResult result;
+    result.snapshot = done->snapshotPath;
+    list(*base, *now, result);
+    for (const Axis axis : kAxes) {
+        const auto at = std::size_t(axis);
+        result.figures.append({setupFigureKey("holds", axis), (*after)[at], (*before)[at]});
+    }
+    const double was = wholeOf(*before);
+    const double is = wholeOf(*after);
+    if (is <= kWorse * was) {
+        result.remarks = QStringList{is < kBetter * was ? u"gains.better"_s : u"gains.same"_s};
+        return result;
+    }
+    // What somebody else has changed meanwhile is none of this step's business.
+    Configuration back = *now;
+    for (const QString &pattern : m_keys.gains) {
+        for (const Axis axis : kAxes) {
+            if (const ParameterSpec *spec = find(pattern, axis)) {
+                if (const auto copied = back.copyRaw(*spec, now->activeProfile(), *base); !copied)
+                    return tl::unexpected(copied.error());
+            }
+        }
+    }
+    SetupResult undone = result;
+    undone.changes.clear();
+    const auto written = write(*now, back, undone);
+    undone.state = SetupResult::State::Poor;
+    undone.remarks = QStringList{written ? u"gains.takenback"_s : u"gains.worse"_s};
+    if (!written)
+        undone.changes = result.changes;
+    return undone;
+}
+
+Result<SetupResult> SetupGuide::vibration()
+{
+    if (const auto run = requireMotors(); !run)
+        return tl::unexpected(run.error());
+    if (const auto news = awaitNews(ChannelRoles::present({m_roles.gyro})); !news)
+        return tl::unexpected(news.error());
+    const auto span = measure(kHoldingSeconds);
+    if (!span)
+        return tl::unexpected(span.error());
+    SetupResult result;
+    bool standsOut = false;
+    bool isStrong = false;
+    for (const Axis axis : kAxes) {
+        const int channel = m_roles.gyro[std::size_t(axis)];
+        if (channel < 0)
+            continue;
+        const auto samples = uniformSamples(m_telemetry, channel, -1, span->first, span->second);
+        if (!samples)
+            return tl::unexpected(samples.error());
+        const auto found = spectrum(samples->values, samples->rate);
+        if (!found)
+            return tl::unexpected(found.error());
+        const double whole = found->bandRms(kVibrationFrom, samples->rate / 2);
+        result.figures.append({setupFigureKey("shakes", axis), whole});
+        isStrong = isStrong || whole > kStrong;
+        const auto peaks = findPeaks(*found, 1, kVibrationFrom);
+        if (peaks.empty())
+            continue;
+        result.figures.append({setupFigureKey("line", axis), peaks.front().frequency});
+        standsOut = standsOut || adviseNotch({peaks.front(), whole, 0, {}, nullptr}).isOffered();
+    }
+    result.remarks = QStringList{isStrong        ? u"vibration.strong"_s
+                                     : standsOut ? u"vibration.lines"_s
+                                                 : u"vibration.calm"_s};
+    if (isStrong)
+        result.state = SetupResult::State::Poor;
+    return result;
+}
+
+Result<SetupResult> SetupGuide::limits(const QVariantMap &answers)
+{
+    if (const auto off = switchOff(); !off)
+        return tl::unexpected(off.error());
+    if (const auto news = awaitNews(ChannelRoles::present({m_roles.angle})); !news)
+        return tl::unexpected(news.error());
+    std::array<std::pair<double, double>, kAxisCount> reached{};
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis)
+        reached[axis] = {latest(m_roles.angle[axis]), latest(m_roles.angle[axis])};
+    const auto look = [&]() -> Result<void> {
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+            const double now = latest(m_roles.angle[axis]);
+            reached[axis] = {std::min(reached[axis].first, now), std::max(reached[axis].second, now)};
+        }
+        return {};
+    };
+    if (const auto moved = watch(answers.value(u"seconds"_s).toDouble(), look, u"setup-move"_s); !moved)
+        return tl::unexpected(moved.error());
+    const auto base = m_device.readConfiguration(m_channel);
+    if (!base)
+        return tl::unexpected(base.error());
+    SetupResult result;
+    Configuration edited = *base;
+    const int profile = base->activeProfile();
+    const double margin = answers.value(u"margin"_s).toDouble();
+    int moved = 0;
+    for (const Axis axis : kAxes) {
+        const auto [low, high] = reached[std::size_t(axis)];
+        if (!(high - low - 2 * margin >= kLeastRange))
+            continue;
+        ++moved;
+        for (const auto &[pattern, value, figure] :
+             {std::tuple(m_keys.lowest, std::ceil(low + margin), "lowest"),
+              std::tuple(m_keys.highest, std::floor(high - margin), "highest")}) {
+            const ParameterSpec *spec = find(pattern, axis);
+            const auto before = spec ? base->raw(*spec, profile) : std::nullopt;
+            if (!before)
+                continue;
+            const double raw = spec->clamped(spec->toRaw(value));
+            if (const auto set = edited.setRaw(*spec, profile, raw); !set)
+                return tl::unexpected(set.error());
+            result.figures.append(
+                {setupFigureKey(figure, axis), spec->toDisplay(raw), spec->toDisplay(*before)});
+        }
+    }
+    if (moved == 0)
+        return failure(
+            ErrorCode::ConditionUnmet,
+            u"the camera was not moved by more than some degrees: move it by hand as far as it may "
+            "go"_s);
+    if (!base->changesTo(edited).empty()) {
+        if (const auto written = write(*base, edited, result); !written)
+            return tl::unexpected(written.error());
+    }
+    result.remarks = QStringList{u"limits.set"_s};
+    if (moved < int(kAxisCount))
+        result.remarks.append(u"limits.kept"_s);
+    return result;
+}
+
+Result<SetupResult> SetupGuide::use(const QVariantMap &answers)
+{
+    const auto &wanted = m_keys.uses[std::size_t(answers.value(u"use"_s).toInt())];
+    const auto base = m_device.readConfiguration(m_channel);
+    if (!base)
+        return tl::unexpected(base.error());
+    Configuration edited = *base;
+    for (const auto &[key, value] : wanted.values) {
+        const ParameterSpec *spec = find(key);
+        if (!spec || !base->raw(*spec, base->activeProfile()))
+            continue;  // of another firmware
+        if (const auto set = edited.setRaw(*spec, base->activeProfile(), spec->clamped(spec->toRaw(value)));
+            !set)
+            return tl::unexpected(set.error());
+    }
+    SetupResult result;
+    if (base->changesTo(edited).empty()) {
+        result.state = SetupResult::State::Done;
+        result.remarks = QStringList{u"use.same"_s};
+        return result;
+    }
+    if (!answers.value(u"apply"_s).toBool()) {
+        list(*base, edited, result);
+        result.remarks = QStringList{u"use.shown"_s};
+        return result;
+    }
+    if (const auto written = write(*base, edited, result); !written)
+        return tl::unexpected(written.error());
+    result.state = SetupResult::State::Done;
+    result.remarks = QStringList{u"use.set"_s};
+    return result;
+}

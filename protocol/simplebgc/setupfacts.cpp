@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a new gimbal needs to have found and set, and what follows from what it is for.
+#include "protocol/simplebgc/device.h"
+
+using namespace Qt::StringLiterals;
+
+namespace simplebgc {
+
+namespace {
+
+// FOLLOW_MODE and the follow rate of yaw (document, CMD_READ_PARAMS_3): in the hand the camera is turned with
+// the frame, softly; a drone points it by remote control and follows its heading; a vehicle turns hard and
+// often, so only slowly; on a tripod nothing is followed, and the sensor of gravity may be trusted more.
+const std::vector<GimbalUse> &gimbalUses()
+{
+    static const std::vector<GimbalUse> uses{
+        {"handheld",
+         {{u"follow.mode"_s, 2},
+          {u"rc.yaw.follow"_s, 1},
+          {u"follow.yaw.speed"_s, 40},
+          {u"follow.pitch.speed"_s, 25},
+          {u"follow.deadband"_s, 50},
+          {u"imu.gyro_trust"_s, 120}}},
+        {"drone",
+         {{u"follow.mode"_s, 0},
+          {u"rc.yaw.follow"_s, 1},
+          {u"follow.yaw.speed"_s, 60},
+          {u"follow.deadband"_s, 20},
+          {u"imu.gyro_trust"_s, 170}}},
+        {"vehicle",
+         {{u"follow.mode"_s, 0},
+          {u"rc.yaw.follow"_s, 1},
+          {u"follow.yaw.speed"_s, 15},
+          {u"follow.deadband"_s, 100},
+          {u"imu.gyro_trust"_s, 200}}},
+        {"tripod", {{u"follow.mode"_s, 0}, {u"rc.yaw.follow"_s, 0}, {u"imu.gyro_trust"_s, 80}}},
+    };
+    return uses;
+}
+
+}  // namespace
+
+SetupKeys Device::setupKeys() const
+{
+    return {.batteryAlarm = u"battery.alarm"_s,
+            .batteryOff = u"battery.motors_off"_s,
+            .poles = u"motor.%1.poles"_s,
+            .inverted = u"motor.%1.invert"_s,
+            .lowest = u"rc.%1.min_angle"_s,
+            .highest = u"rc.%1.max_angle"_s,
+            .calibrateGyro = u"calibrate.gyro"_s,
+            .calibrateLevel = u"calibrate.acc"_s,
+            .findPoles = u"calibrate.poles"_s,
+            .autoTune = u"autotune"_s,
+            .gains = {u"pid.%1.p"_s, u"pid.%1.i"_s, u"pid.%1.d"_s},
+            .uses = gimbalUses()};
+}
+
+}  // namespace simplebgc

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/setup/guidepage.h"
+#include "protocol/device/device.h"
+#include "protocol/telemetry/roles.h"
+#include "tests/support/patience.h"
+#include "tests/support/windowrig.h"
+#include "widgets/forms/argumentform.h"
+
+#include <QCheckBox>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTextBrowser>
+
+using namespace Qt::StringLiterals;
+using State = SetupResult::State;
+
+/// The guided set-up on the screen, on an unpacked simulated gimbal.
+class TestGuide final : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { m_rig = std::make_unique<WindowRig>(); }
+    void cleanup() { m_rig.reset(); }
+    void anUnpackedGimbalIsTuned();
+    void itGoesOnAnotherDay();
+    void nothingBeginsUnconfirmed();
+    void hiddenItEnds();
+    void leftOutIsSaid();
+    void aFailureIsToldAndKept();
+
+private:
+    GuidePage &page() { return *m_rig->page<GuidePage>(); }
+    /// Carries out the chosen step as an operator would. @return how it ended
+    State doIt()
+    {
+        const SetupStep step = page().chosen();
+        ++m_clicks;
+        if (!page().confirmBox()->isHidden()) {
+            page().confirmBox()->setChecked(true);
+            ++m_clicks;
+        }
+        if (!page().beginButton()->isEnabled())
+            return State::Open;
+        page().beginButton()->click();
+        std::ignore = QTest::qWaitFor([this] { return !page().isUnderWay(); }, 4 * kPatience);
+        std::ignore = m_rig->jobsAreDone();
+        return page().record().result(step).state;
+    }
+    void world(const QString &assignment) { m_rig->workspace().changeWorld(assignment); }
+
+    std::unique_ptr<WindowRig> m_rig;
+    int m_clicks = 0;
+};
+
+void TestGuide::anUnpackedGimbalIsTuned()
+{
+    QElapsedTimer clock;
+    clock.start();
+    QVERIFY(m_rig->open(u"sim:simplebgc?condition=new&seed=71"_s));
+    connect(&m_rig->client(), &DeviceClient::progressChanged, this, [this](const Progress &progress) {
+        if (progress.step == u"setup-let-go"_s)
+            world(u"hand=0"_s);
+    });
+    QCOMPARE(page().list()->count(), int(kSetupSteps));
+    QCOMPARE(page().chosen(), SetupStep::Power);
+    world(u"hand=1"_s);
+    QCOMPARE(doIt(), State::Done);
+    QVERIFY2(page().findings()->toPlainText().contains(u"12."_s),
+             qPrintable(page().findings()->toPlainText()));
+    QCOMPARE(m_rig->raw(u"battery.alarm"_s), 1050.0);
+    for (const SetupStep step : {SetupStep::Gyroscope, SetupStep::Level}) {
+        page().choose(step);
+        QCOMPARE(doIt(), State::Done);
+    }
+    page().choose(SetupStep::Balance);
+    world(u"shake=0"_s);
+    QCOMPARE(doIt(), State::Poor);
+    QVERIFY(page().findings()->toPlainText().contains(u"not balanced"_s));
+    world(u"imbalance=5"_s);
+    world(u"hand=1"_s);
+    QCOMPARE(doIt(), State::Done);
+    world(u"shake=1"_s);
+    page().choose(SetupStep::Motors);
+    QCOMPARE(doIt(), State::Done);
+    QCOMPARE(m_rig->raw(u"motor.pitch.poles"_s), 14.0);
+    QTRY_VERIFY(m_rig->workspace().motorsRunning().value_or(false));
+    page().choose(SetupStep::Gains);
+    QCOMPARE(doIt(), State::Done);
+    QVERIFY2(page().findings()->toPlainText().contains(u"better"_s),
+             qPrintable(page().findings()->toPlainText()));
+    page().choose(SetupStep::Limits);
+    world(u"hand=2"_s);
+    QCOMPARE(doIt(), State::Done);
+    world(u"hand=0"_s);
+    page().choose(SetupStep::Use);
+    QCOMPARE(doIt(), State::Open);  // shown
+    QVERIFY(page().findings()->toPlainText().contains(u"→"_s));
+    page().form()->setText(u"apply"_s, u"on"_s);
+    QCOMPARE(doIt(), State::Done);
+    page().choose(SetupStep::Vibration);
+    page().skipButton()->click();
+    QCOMPARE(page().record().result(SetupStep::Vibration).state, State::Skipped);
+
+    for (const QString &name : {u"certificate.pdf"_s, u"certificate.html"_s}) {
+        const QString path = m_rig->filePath(name);
+        QVERIFY(page().saveCertificate(path));
+        QFile file(path);
+        QVERIFY(file.open(QFile::ReadOnly));
+        const QByteArray bytes = file.readAll();
+        QVERIFY(name.endsWith(u"pdf"_s) ? bytes.startsWith("%PDF") && bytes.size() > 5000
+                                        : bytes.contains("Gains: done"));
+    }
+    qInfo("from the box to the certificate: %d clicks, %.1f minutes", m_clicks + 9,
+          double(clock.elapsed()) / 60000);
+}
+
+void TestGuide::itGoesOnAnotherDay()
+{
+    QVERIFY(m_rig->open());
+    QCOMPARE(page().chosen(), SetupStep::Power);
+    QCOMPARE(doIt(), State::Done);
+    m_rig->restart();
+    QVERIFY(m_rig->open());
+    QCOMPARE(page().record().result(SetupStep::Power).state, State::Done);
+    QCOMPARE(page().chosen(), SetupStep::Gyroscope);
+    QVERIFY(page().list()->item(0)->text().contains(u"✓"_s));
+    // Another board begins at the beginning.
+    m_rig->client().disconnectFromBoard();
+    QVERIFY(m_rig->open(u"sim:simplebgc?seed=72"_s));
+    QCOMPARE(page().record().result(SetupStep::Power).state, State::Open);
+}
+
+void TestGuide::nothingBeginsUnconfirmed()
+{
+    QVERIFY(m_rig->open());
+    page().choose(SetupStep::Motors);
+    QVERIFY(!page().beginButton()->isEnabled());
+    page().confirmBox()->setChecked(true);
+    QVERIFY(page().beginButton()->isEnabled());
+    page().choose(SetupStep::Balance);
+    QVERIFY(!page().beginButton()->isEnabled());  // each time anew
+    page().choose(SetupStep::Power);
+    QVERIFY(page().beginButton()->isEnabled());
+}
+
+// Who goes to another page does not watch what the motors do.
+void TestGuide::hiddenItEnds()
+{
+    QVERIFY(m_rig->open());
+    page().choose(SetupStep::Vibration);
+    page().beginButton()->click();
+    QVERIFY(page().isUnderWay());
+    QVERIFY(!page().beginButton()->isEnabled() && page().cancelButton()->isVisible());
+    QVERIFY(m_rig->boardGoesOn(0.5));
+    m_rig->window().showPage(u"dashboard"_s);
+    auto *guide = static_cast<GuidePage *>(m_rig->window().page(u"guide"_s));
+    QTRY_VERIFY(!guide->isUnderWay());
+    QCOMPARE(guide->record().result(SetupStep::Vibration).state, State::Failed);
+    QVERIFY(!m_rig->workspace().isAtWork() && !m_rig->workspace().live().isHeld());
+}
+
+void TestGuide::leftOutIsSaid()
+{
+    QVERIFY(m_rig->open());
+    page().skipButton()->click();
+    QCOMPARE(page().chosen(), SetupStep::Gyroscope);
+    page().choose(SetupStep::Power);
+    QVERIFY2(page().findings()->toPlainText().contains(u"left out"_s),
+             qPrintable(page().findings()->toPlainText()));
+    QVERIFY(page().beginButton()->isEnabled());
+}
+
+void TestGuide::aFailureIsToldAndKept()
+{
+    QVERIFY(m_rig->open());
+    world(u"battery=4.9"_s);
+    QCOMPARE(doIt(), State::Failed);
+    QVERIFY2(page().findings()->toPlainText().contains(u"USB"_s),
+             qPrintable(page().findings()->toPlainText()));
+    world(u"battery=12.3"_s);
+    QCOMPARE(doIt(), State::Done);
+}
+
+QTEST_MAIN(TestGuide)
+#include "tst_guide.moc"

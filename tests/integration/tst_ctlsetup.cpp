@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/ctlrun.h"
+#include "tests/support/simprocess.h"
+
+#include <QElapsedTimer>
+#include <QJsonArray>
+#include <QTemporaryDir>
+
+#include <csignal>
+
+using namespace Qt::StringLiterals;
+
+/// The guided set-up of the command line, on an unpacked gimbal in its own process.
+class TestCtlSetup final : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { m_dir = std::make_unique<QTemporaryDir>(); }
+    void anUnpackedGimbalIsTuned();
+    void wrongWordsAreTold_data();
+    void wrongWordsAreTold();
+    void aStepThatFailsIsKept();
+    void boardsWithoutItSaySo();
+    void interruptedItIsDoneAgain();
+
+private:
+    Run setup(const QString &link, const QStringList &words)
+    {
+        return Running(m_dir->path(), QStringList{u"--link"_s, link, u"--json"_s, u"setup"_s} + words)
+            .finish(4 * kPatience);
+    }
+
+    std::unique_ptr<QTemporaryDir> m_dir;
+};
+
+// Counted are commands and minutes: what the way costs.
+void TestCtlSetup::anUnpackedGimbalIsTuned()
+{
+    SimProcess gimbal({u"--tcp"_s, u"0"_s, u"--condition"_s, u"new"_s});
+    const QString link = gimbal.address();
+    const auto world = [&gimbal](const char *line) {
+        gimbal.process().write(line);
+        gimbal.process().write("\n");
+    };
+    QElapsedTimer clock;
+    clock.start();
+    int commands = 0;
+    const auto step = [&](const QStringList &words, const QString &state, int exitCode = 0) {
+        ++commands;
+        const Run run = setup(link, words);
+        const bool fits = run.exitCode == exitCode && run.json().value(u"state"_s).toString() == state;
+        if (!fits)
+            qWarning("%s: %d\n%s\n%s", qPrintable(words.join(u' ')), run.exitCode, qPrintable(run.out),
+                     qPrintable(run.err));
+        return fits;
+    };
+    world("hand=1");
+    QVERIFY(step({u"power"_s}, u"done"_s));
+    QVERIFY(step({u"gyroscope"_s, u"--confirmed"_s}, u"done"_s));
+    QVERIFY(step({u"level"_s, u"--confirmed"_s}, u"done"_s));
+    // Lets go when it is told to.
+    const auto balance = [&] {
+        Running running(m_dir->path(),
+                        {u"--link"_s, link, u"--json"_s, u"setup"_s, u"balance"_s, u"--confirmed"_s});
+        ++commands;
+        world("hand=1");
+        if (!QTest::qWaitFor([&] { return running.told().contains(u"Let the camera go"_s); }, kPatience))
+            qWarning("%s", qPrintable(running.told()));
+        world("hand=0");
+        return running.finish();
+    };
+    world("shake=0");
+    const Run unbalanced = balance();
+    QVERIFY2(unbalanced.exitCode == 1, qPrintable(unbalanced.out + unbalanced.err));
+    QCOMPARE(unbalanced.json().value(u"state"_s).toString(), u"poor"_s);
+    world("imbalance=5");
+    const Run balanced = balance();
+    QVERIFY2(balanced.exitCode == 0, qPrintable(balanced.out + balanced.err));
+    world("shake=1");
+    QVERIFY(step({u"motors"_s, u"--confirmed"_s}, u"done"_s));
+    QVERIFY(step({u"gains"_s}, u"done"_s));
+    world("hand=2");
+    QVERIFY(step({u"limits"_s, u"--confirmed"_s}, u"done"_s));
+    world("hand=0");
+    QVERIFY(step({u"use"_s, u"use=handheld"_s, u"apply=on"_s}, u"done"_s));
+    QVERIFY(step({u"vibration"_s, u"--skip"_s}, u"skipped"_s));
+    const QString page = m_dir->filePath(u"certificate.html"_s);
+    const Run last = setup(link, {u"next"_s, u"--certificate"_s, page});
+    QVERIFY2(last.exitCode == 0, qPrintable(last.err));
+    QFile file(page);
+    QVERIFY(file.open(QFile::ReadOnly));
+    const QString text = QString::fromUtf8(file.readAll());
+    for (const QString &part : {u"Gains: done"_s, u"Vibration: left out"_s, u"° RMS"_s})
+        QVERIFY2(text.contains(part), qPrintable(text));
+    qInfo("from the box to the certificate: %d commands, %.1f minutes", commands + 1,
+          double(clock.elapsed()) / 60000);
+    // The board itself holds it.
+    const Run poles = Running(m_dir->path(), {u"--link"_s, link, u"get"_s, u"motor.pitch.poles"_s}).finish();
+    QVERIFY2(poles.out.contains(u"14"_s), qPrintable(poles.out));
+}
+
+void TestCtlSetup::wrongWordsAreTold_data()
+{
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("no such step") << QStringList{u"polish"_s} << u"there is no step 'polish'"_s;
+    QTest::newRow("nothing to skip") << QStringList{u"--skip"_s} << u"the step to leave out"_s;
+    QTest::newRow("not confirmed") << QStringList{u"motors"_s} << u"--confirmed"_s;
+    QTest::newRow("no such answer") << QStringList{u"power"_s, u"colour=red"_s} << u"colour"_s;
+    QTest::newRow("out of range") << QStringList{u"power"_s, u"cells=99"_s} << u"cells"_s;
+    QTest::newRow("no value") << QStringList{u"power"_s, u"cells"_s} << u"ANSWER=VALUE"_s;
+}
+
+void TestCtlSetup::wrongWordsAreTold()
+{
+    QFETCH(QStringList, words);
+    QFETCH(QString, says);
+    const SimProcess gimbal({u"--tcp"_s, u"0"_s});
+    const Run run = setup(gimbal.address(), words);
+    QCOMPARE(run.exitCode, 2);
+    QVERIFY2(run.err.contains(says) || run.out.contains(says), qPrintable(run.err + run.out));
+    const Run list = setup(gimbal.address(), {});
+    QCOMPARE(list.exitCode, 0);
+    QVERIFY(list.json().value(u"steps"_s).toObject().isEmpty());  // nothing was done
+}
+
+void TestCtlSetup::aStepThatFailsIsKept()
+{
+    const SimProcess gimbal({u"--tcp"_s, u"0"_s, u"--fault"_s, u"battery=4.9"_s});
+    const Run run = setup(gimbal.address(), {u"power"_s});
+    QCOMPARE(run.exitCode, 1);
+    const QJsonObject steps = setup(gimbal.address(), {}).json().value(u"steps"_s).toObject();
+    QCOMPARE(steps.value(u"power"_s).toObject().value(u"state"_s).toString(), u"failed"_s);
+    QVERIFY(steps.value(u"power"_s).toObject().value(u"why"_s).toString().contains(u"only USB"_s));
+    // And is forgotten on demand.
+    QVERIFY(setup(gimbal.address(), {u"--anew"_s}).json().value(u"steps"_s).toObject().isEmpty());
+}
+
+void TestCtlSetup::boardsWithoutItSaySo()
+{
+    const SimProcess gimbal({u"--tcp"_s, u"0"_s}, u"storm32"_s);
+    const Run run = setup(gimbal.address(), {});
+    QCOMPARE(run.exitCode, 1);
+    QVERIFY2(run.err.contains(u"no set-up is known"_s) || run.out.contains(u"no set-up is known"_s),
+             qPrintable(run.err + run.out));
+}
+
+void TestCtlSetup::interruptedItIsDoneAgain()
+{
+    SimProcess gimbal({u"--tcp"_s, u"0"_s});
+    Running running(m_dir->path(), {u"--link"_s, gimbal.address(), u"setup"_s, u"gains"_s});
+    QVERIFY2(QTest::qWaitFor([&] { return running.told().contains(u"Measuring"_s); }, kPatience),
+             qPrintable(running.told()));
+    ::kill(pid_t(running.id()), SIGINT);
+    const Run run = running.finish();
+    QVERIFY(run.exitCode != 0);
+    const QJsonObject steps = setup(gimbal.address(), {}).json().value(u"steps"_s).toObject();
+    QCOMPARE(steps.value(u"gains"_s).toObject().value(u"state"_s).toString(), u"failed"_s);
+}
+
+QTEST_GUILESS_MAIN(TestCtlSetup)
+#include "tst_ctlsetup.moc"

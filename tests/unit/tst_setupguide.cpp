@@ -1,0 +1,369 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/guide/setupguide.h"
+#include "protocol/telemetry/telemetryplan.h"
+#include "tests/support/virtualboard.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+using State = SetupResult::State;
+
+namespace {
+
+/// A gimbal and hands that do what they are told, in virtual time.
+struct Bench
+{
+    explicit Bench(bool isNew = true, const Faults &faults = {})
+        : board(unpacked(isNew, faults))
+        , history(dir.path())
+    {
+        if (!board.identify())
+            qFatal("not identified");
+        store = std::make_unique<TelemetryStore>(int(board.device.channels().size()), board.channel.now());
+        auto subscribed = board.device.subscribe(board.channel, {SetupGuide::channels(board.device), 0}, {});
+        decoder = subscribed->decoder;
+        board.channel.setTap(
+            [this](const FrameView &frame, TimePoint at) { decoder->decode(frame, at, *store); });
+        board.channel.setOperator([this](const Progress &progress) {
+            if (progress.step == u"setup-let-go"_s)
+                hand(0);
+        });
+        record = SetupRecord(board.device.identity());
+    }
+    static SimulatorOptions unpacked(bool isNew, const Faults &faults)
+    {
+        SimulatorOptions options;
+        options.faults = faults;
+        if (isNew) {
+            options.own[u"condition"_s] = 1;
+            options.faults.imbalance = 500;
+        }
+        return options;
+    }
+    void hand(int what) { world(u"hand=%1"_s.arg(what)); }
+    void world(const QString &assignment)
+    {
+        if (!board.port.change(assignment))
+            qFatal("%s", qPrintable(assignment));
+    }
+    Result<SetupResult> run(const char *key, const QMap<QString, QString> &texts = {})
+    {
+        const SetupStepSpec &spec = *findSetupStep(QLatin1String(key));
+        const auto answers = parseArguments(spec.action, texts);
+        if (!answers)
+            return tl::unexpected(answers.error());
+        SetupGuide guide(board.channel, board.device, *store, history);
+        auto result = guide.run(spec.step, *answers, record.result(SetupStep::Motors).isOver());
+        if (result)
+            record.set(spec.step, *result);
+        return result;
+    }
+    [[nodiscard]] int stored(const QString &key) { return board.board().stored(key, 0); }
+
+    QTemporaryDir dir;
+    VirtualBoard board;
+    BoardHistory history;
+    std::unique_ptr<TelemetryStore> store;
+    std::shared_ptr<TelemetryDecoder> decoder;
+    SetupRecord record;
+};
+
+QString why(const Result<SetupResult> &result)
+{
+    if (!result)
+        return result.error().detail;
+    QString text = setupStateKey(result->state) + u' ' + result->remarks.join(u' ');
+    for (const SetupFigure &figure : result->figures)
+        text += u' ' + figure.key + u'=' + setupFigureText(figure);
+    return text;
+}
+
+}  // namespace
+
+/// The way from an unpacked board to a tuned gimbal, step by step, in virtual time.
+class TestSetupGuide final : public QObject
+{
+    Q_OBJECT
+private slots:
+    void anUnpackedGimbalIsTuned();
+    void batteryIsAskedFor_data();
+    void batteryIsAskedFor();
+    void aStillCameraIsNeeded();
+    void whatIsNotHeldLevelIsNotMeasured();
+    void motorsThatRunAwayAreStopped();
+    void worseGainsAreTakenBack();
+    void motorsThatAreOffAreNoMeasurement();
+    void hardlyMovedIsNoRange();
+    void lostLinkEndsAStep();
+    void aRecordIsKept();
+    void aDamagedRecordIsTold();
+    void everythingHasWords();
+    void aCertificateSaysAll();
+};
+
+void TestSetupGuide::anUnpackedGimbalIsTuned()
+{
+    Bench bench;
+    QCOMPARE(stepsOf(bench.board.device).size(), kSetupSteps);
+    bench.hand(1);
+    auto result = bench.run("power");
+    QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
+    QCOMPARE(result->figure(u"cells"_s), 3.0);
+    QCOMPARE(bench.stored(u"battery.alarm"_s), 1050);
+    QCOMPARE(bench.stored(u"battery.motors_off"_s), 990);
+    QVERIFY(!result->snapshot.isEmpty());
+    result = bench.run("power");
+    QVERIFY(result && result->changes.isEmpty() && result->remarks == QStringList{u"power.fits"_s});
+
+    result = bench.run("gyroscope");
+    QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
+    QVERIFY(!bench.board.board().stabilizer().motorsOn());  // what nobody knows does not hold the camera
+    QVERIFY(result->remarks.contains(u"motors.off"_s));
+    QVERIFY(*result->figure(u"bias"_s) < 0.1 && *result->figures[0].before > 1);
+    result = bench.run("level");
+    QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
+
+    bench.world(u"shake=0"_s);
+    result = bench.run("balance");
+    QVERIFY2(result && result->state == State::Poor, qPrintable(why(result)));
+    QVERIFY(std::abs(*result->figure(u"drift.pitch"_s)) > 6);
+    QVERIFY(!bench.record.result(SetupStep::Balance).isOver());
+    bench.world(u"imbalance=5"_s);
+    bench.hand(1);
+    result = bench.run("balance");
+    QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
+
+    bench.world(u"shake=1"_s);
+    result = bench.run("motors");
+    QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
+    QCOMPARE(bench.stored(u"motor.roll.poles"_s), 14);
+    QCOMPARE(bench.stored(u"motor.pitch.invert"_s), 0);
+    QVERIFY(bench.board.board().stabilizer().motorsOn());
+    QVERIFY(*result->figure(u"strays.pitch"_s) < 10);
+
+    result = bench.run("gains");
+    QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
+    QCOMPARE(result->remarks, QStringList{u"gains.better"_s});
+    for (const SetupFigure &figure : result->figures)
+        QVERIFY2(figure.value < *figure.before, qPrintable(figure.key));
+    // Held as the board's own search holds it, and that is what is stored.
+    QVERIFY(*result->figure(u"holds.pitch"_s) < 0.1);
+    QVERIFY(bench.stored(u"pid.pitch.p"_s) > 12);
+
+    result = bench.run("vibration");
+    QVERIFY2(result, qPrintable(why(result)));
+    QVERIFY(result->figure(u"shakes.roll"_s) > 0.0);
+
+    bench.hand(2);
+    result = bench.run("limits", {{u"seconds"_s, u"20"_s}, {u"margin"_s, u"5"_s}});
+    QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
+    const double high = *result->figure(u"highest.pitch"_s);
+    QVERIFY2(high > 70 && high < 85, qPrintable(QString::number(high)));
+    QCOMPARE(bench.stored(u"rc.pitch.max_angle"_s), int(high));
+    bench.hand(0);
+
+    result = bench.run("use", {{u"use"_s, u"drone"_s}});
+    QVERIFY(result && result->state == State::Open && !result->changes.isEmpty());
+    QCOMPARE(bench.stored(u"imu.gyro_trust"_s), 120);  // shown, not written
+    QVERIFY(!bench.record.result(SetupStep::Use).isOver());
+    result = bench.run("use", {{u"use"_s, u"drone"_s}, {u"apply"_s, u"on"_s}});
+    QVERIFY(result && result->state == State::Done);
+    QCOMPARE(bench.stored(u"imu.gyro_trust"_s), 170);
+    result = bench.run("use", {{u"use"_s, u"drone"_s}});
+    QVERIFY(result && result->remarks == QStringList{u"use.same"_s});
+}
+
+void TestSetupGuide::batteryIsAskedFor_data()
+{
+    QTest::addColumn<double>("volts");
+    QTest::addColumn<QString>("cells");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("USB alone") << 4.9 << QString() << u"only USB"_s;
+    QTest::newRow("two fit") << 20.5 << QString() << u"fits 5 or 6 cells"_s;
+    QTest::newRow("none fits") << 6.1 << QString() << u"fits no number"_s;
+    QTest::newRow("empty") << 10.0 << u"3"_s << u"charge the battery"_s;
+    QTest::newRow("too many") << 16.0 << u"3"_s << u"correct the number"_s;
+}
+
+void TestSetupGuide::batteryIsAskedFor()
+{
+    QFETCH(double, volts);
+    QFETCH(QString, cells);
+    QFETCH(QString, says);
+    Faults faults;
+    faults.battery = volts;
+    Bench bench(false, faults);
+    const int alarm = bench.stored(u"battery.alarm"_s);
+    const auto result = bench.run(
+        "power", cells.isEmpty() ? QMap<QString, QString>() : QMap<QString, QString>{{u"cells"_s, cells}});
+    QVERIFY(!result);
+    QCOMPARE(result.error().code, ErrorCode::ConditionUnmet);
+    QVERIFY2(result.error().detail.contains(says), qPrintable(result.error().detail));
+    QCOMPARE(bench.stored(u"battery.alarm"_s), alarm);
+}
+
+void TestSetupGuide::aStillCameraIsNeeded()
+{
+    Faults faults;
+    faults.shake = 12;
+    Bench bench(false, faults);
+    const auto result = bench.run("gyroscope");
+    QVERIFY(!result);
+    QCOMPARE(result.error().code, ErrorCode::ConditionUnmet);
+    QCOMPARE(bench.record.result(SetupStep::Gyroscope).state, State::Open);
+}
+
+void TestSetupGuide::whatIsNotHeldLevelIsNotMeasured()
+{
+    Bench bench;  // falls as soon as its motors are off
+    const auto result = bench.run("balance");
+    QVERIFY(!result);
+    QCOMPARE(result.error().code, ErrorCode::ConditionUnmet);
+    QVERIFY2(result.error().detail.contains(u"held level"_s), qPrintable(result.error().detail));
+}
+
+// The board finds the motors, and yet the camera is driven away: their plugs are swapped.
+void TestSetupGuide::motorsThatRunAwayAreStopped()
+{
+    Faults faults;
+    faults.swappedAxes = true;
+    Bench bench(true, faults);
+    bench.world(u"imbalance=100"_s);
+    const auto result = bench.run("motors");
+    QVERIFY2(!result && result.error().code == ErrorCode::Diverged, qPrintable(why(result)));
+    QVERIFY(bench.board.channel.sleep(200ms));
+    QVERIFY(!bench.board.board().stabilizer().motorsOn());
+}
+
+// Whatever the reason: what is held worse afterwards is not kept.
+void TestSetupGuide::worseGainsAreTakenBack()
+{
+    Bench bench(false);
+    bool isSearched = false;
+    bench.board.channel.setOperator([&](const Progress &progress) {
+        isSearched = isSearched || progress.step == u"autotune"_s;
+        if (isSearched && progress.step == u"setup-measure"_s)
+            bench.world(u"shake=15"_s);
+    });
+    const int before = bench.stored(u"pid.pitch.p"_s);
+    const auto result = bench.run("gains");
+    QVERIFY2(result && result->state == State::Poor, qPrintable(why(result)));
+    QVERIFY(isSearched);
+    QCOMPARE(result->remarks, QStringList{u"gains.takenback"_s});
+    QCOMPARE(bench.stored(u"pid.pitch.p"_s), before);
+    QCOMPARE(bench.board.board().inUse(u"pid.pitch.p"_s), before);
+    QVERIFY(!bench.record.result(SetupStep::Gains).isOver());
+}
+
+void TestSetupGuide::motorsThatAreOffAreNoMeasurement()
+{
+    Bench bench(false);
+    bench.board.board().stabilizer().setMotorsOn(false);
+    for (const char *key : {"gains", "vibration"}) {
+        const auto result = bench.run(key);
+        QVERIFY(!result);
+        QCOMPARE(result.error().code, ErrorCode::Unready);
+    }
+}
+
+void TestSetupGuide::hardlyMovedIsNoRange()
+{
+    Bench bench(false);
+    bench.hand(1);
+    const int before = bench.stored(u"rc.pitch.max_angle"_s);
+    const auto result = bench.run("limits", {{u"seconds"_s, u"6"_s}});
+    QVERIFY(!result);
+    QCOMPARE(result.error().code, ErrorCode::ConditionUnmet);
+    QCOMPARE(bench.stored(u"rc.pitch.max_angle"_s), before);
+}
+
+void TestSetupGuide::lostLinkEndsAStep()
+{
+    Bench bench(false);
+    bench.world(u"unplug=1"_s);
+    const auto result = bench.run("vibration");
+    QVERIFY(!result);
+}
+
+void TestSetupGuide::aRecordIsKept()
+{
+    Bench bench;
+    bench.hand(1);
+    QVERIFY(bench.run("power"));
+    SetupResult skipped;
+    skipped.state = State::Skipped;
+    bench.record.set(SetupStep::Gyroscope, skipped);
+    const QString path = bench.history.setupFile(bench.board.device.identity().serial);
+    QVERIFY(bench.record.save(path));
+    const auto again = SetupRecord::load(path, bench.board.device.identity());
+    QVERIFY(again);
+    QCOMPARE(again->toJson(), bench.record.toJson());
+    QCOMPARE(again->next(stepsOf(bench.board.device)), std::optional(SetupStep::Level));
+    // Another board begins at the beginning.
+    const auto other = SetupRecord::load(bench.history.setupFile(u"abc"_s), {});
+    QVERIFY(other && other->next(stepsOf(bench.board.device)) == SetupStep::Power);
+}
+
+void TestSetupGuide::aDamagedRecordIsTold()
+{
+    QTemporaryDir dir;
+    const QString path = dir.filePath(u"setup.json"_s);
+    for (const QByteArray &bytes :
+         {QByteArray(), QByteArray("{"), QByteArray("[]"), QByteArray("{\"format\":\"x\"}"),
+          QByteArray("{\"format\":\"gimbaldesk-setup\",\"version\":99}")}) {
+        QFile file(path);
+        QVERIFY(file.open(QFile::WriteOnly) && file.write(bytes) == bytes.size());
+        file.close();
+        const auto read = SetupRecord::load(path, {});
+        QVERIFY2(!read, bytes.constData());
+        QCOMPARE(read.error().code, ErrorCode::BadFile);
+    }
+    // Steps and states that nobody knows are left out.
+    QFile file(path);
+    QVERIFY(file.open(QFile::WriteOnly));
+    file.write(
+        R"({"format":"gimbaldesk-setup","version":1,"steps":{"power":{"state":"odd"},"x":3,"level":7}})");
+    file.close();
+    const auto read = SetupRecord::load(path, {});
+    QVERIFY(read);
+    QCOMPARE(read->result(SetupStep::Power).state, State::Open);
+}
+
+// What a step may say or measure is in the tables that are translated.
+void TestSetupGuide::everythingHasWords()
+{
+    QSet<QString> keys;
+    for (const SetupRemarkSpec &remark : setupRemarks()) {
+        QVERIFY(*remark.text && !keys.contains(QLatin1String(remark.key)));
+        keys.insert(QLatin1String(remark.key));
+        QCOMPARE(findSetupRemark(QLatin1String(remark.key)), &remark);
+    }
+    for (const SetupFigureSpec &figure : setupFigures())
+        QCOMPARE(findSetupFigure(setupFigureKey(figure.key, Axis::Yaw)), &figure);
+    for (const SetupStepSpec &step : setupSteps())
+        QCOMPARE(findSetupStep(QLatin1String(step.action.key)), &step);
+}
+
+void TestSetupGuide::aCertificateSaysAll()
+{
+    Bench bench;
+    bench.hand(1);
+    QVERIFY(bench.run("power"));
+    SetupResult failed;
+    failed.state = State::Failed;
+    failed.why = u"it was <shaken>"_s;
+    bench.record.set(SetupStep::Gyroscope, failed);
+    const QString page = setupCertificate(bench.record, stepsOf(bench.board.device),
+                                          [](const char *text) { return QString::fromUtf8(text); });
+    for (const QString &part :
+         {u"2.59"_s, u"Battery: done"_s, u"10.50 V ← 14.00"_s, u"Gyroscope: failed"_s, u"&lt;shaken&gt;"_s,
+          u"Balance: not done"_s, bench.board.device.identity().serial})
+        QVERIFY2(page.contains(part), qPrintable(part + u'\n' + page));
+}
+
+QTEST_GUILESS_MAIN(TestSetupGuide)
+#include "tst_setupguide.moc"
