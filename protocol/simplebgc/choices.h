@@ -11,6 +11,7 @@ namespace simplebgc {
 
 inline constexpr int kScriptFile = 1;  ///< type of a file (errata 3.21)
 inline constexpr int kFilePage = 64;  ///< bytes
+inline constexpr int kAllMotors = 255;  ///< of ENCODERS_CALIB_OFFSET_4
 inline constexpr int kMostI2c = 64;  ///< bytes that one command reads or writes on a bus
 
 // clang-format off
@@ -125,11 +126,26 @@ inline constexpr Choice kPorts[] = {{0, "Off"}, {1, "UART1"}, {2, "RC serial"}, 
 // clang-format off
 inline constexpr Choice kPinNames[] = {{1, "RC_ROLL"}, {2, "RC_PITCH"}, {3, "FC_ROLL"}, {4, "FC_PITCH"}, {5, "RC_YAW"}, {16, "AUX1"},
                                 {17, "AUX2"}, {18, "AUX3"}, {32, "buzzer"}, {33, "spektrum-power"}};
+inline constexpr Choice kMotorNames[] = {{kAllMotors, "all"}, {0, "roll"}, {1, "pitch"}, {2, "yaw"}};
 inline constexpr Choice kPinStates[] = {{0, "low"}, {1, "high"}, {2, "floating"}};
 inline constexpr Choice kSetActions[] = {{1, "store"}, {2, "clear"}, {3, "load"}};
 inline constexpr Choice kFileTypes[] = {{1, "script"}, {3, "imu-calibration"}, {4, "cogging"}, {5, "look-up-table"}, {6, "profile-set"},
                                  {7, "parameters"}, {8, "tuning"}, {10, "can-driver"}};
 inline constexpr Choice kScriptModes[] = {{0, "stop"}, {1, "start"}, {2, "debug"}};
+/// What the board calibrates (errata 4.6), in the words of the command line.
+inline constexpr Choice kCalibModes[] = {{0, "none"}, {1, "flight controller"}, {2, "angles by hand"}, {3, "poles"}, {4, "accelerometer"},
+    {5, "gyroscope"}, {6, "encoder offset"}, {7, "encoder field"}, {8, "auto-tune"}, {9, "frequency response"},
+    {10, "gyroscope, temperature"}, {11, "accelerometer, temperature"}, {12, "magnetometer"}, {13, "angles by hand, not stored"},
+    {14, "system identification"}, {15, "magnetic link"}, {16, "search of limits"}, {17, "operating position"},
+    {18, "orientation of the IMU"}, {19, "time-lapse"}, {20, "momentum"}, {21, "momentum, automatic"}, {22, "cogging"},
+    {23, "accelerometer by reference"}, {24, "safe stop"}, {25, "accelerometer, sphere"}, {26, "axes of the gyroscope"},
+    {27, "gyroscope of the external IMU"}, {28, "alignment of the external IMU"}, {34, "several positions"}, {35, "encoder table"},
+    {36, "writing parameters"}, {37, "current sensor"}, {38, "home position of motors"}, {39, "inside the encoder"},
+    {40, "vibration test"}, {41, "retracting"}, {42, "retracted"}};
+/// Bits of SYSTEM_STATE_FLAGS (errata 4.4).
+inline constexpr Choice kStateFlags[] = {{0, "debug"}, {1, "frame inverted"}, {2, "start step 1 done"}, {3, "start step 2 done"},
+    {4, "started"}, {5, "power manager"}, {8, "shake generator"}, {9, "servo mode"}, {10, "follows roll"}, {11, "follows pitch"},
+    {12, "follows yaw"}, {13, "tripod mode"}, {14, "retracted"}};
 /// What is wrong with a file of the board (errata 3.18).
 inline constexpr Choice kFileCodes[] = {{0, "no error"}, {1, "EEPROM fault"}, {2, "file not found"}, {3, "FAT damaged"}, {4, "no free space"},
     {5, "FAT full"}, {6, "wrong file size"}, {7, "CRC"}, {8, "limit reached"}, {9, "file corrupted"}, {10, "wrong parameters"}};

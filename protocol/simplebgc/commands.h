@@ -19,6 +19,8 @@ enum class CommandId : std::uint8_t {
     RealtimeData3 = 23,
     SelectImu3 = 24,
     RealtimeData4 = 25,
+    EncodersCalibOffset = 26,
+    EncodersCalibFldOffset = 27,
     ReadProfileNames = 28,
     WriteProfileNames = 29,
     GetParams3 = 30,

@@ -30,13 +30,22 @@ SimulatorOptions complete(SimulatorOptions options)
     return options;
 }
 
+Capabilities equipmentOf(const SimulatorOptions &options)
+{
+    Capabilities all{u"yaw-axis"_s, u"battery"_s, u"current"_s};
+    if (options.own.value(u"encoders"_s) != 0)
+        all.insert(u"encoders"_s);
+    return all;
+}
+
 }  // namespace
 
 SimulatedBoard::SimulatedBoard(const SimulatorOptions &options)
     : m_options(complete(options))
-    , m_parameters(parameterRows(), kBlocks, m_options.firmware, {u"yaw-axis"_s, u"battery"_s, u"current"_s})
+    , m_parameters(parameterRows(), kBlocks, m_options.firmware, equipmentOf(m_options))
     , m_stabilizer(options.seed)
     , m_names({u"Handheld"_s, u"Studio"_s, u"Vehicle"_s, QString(), QString()})
+    , m_sensorNoise(options.seed * 2 + 3)
 {
     m_restOfMemory.fill('\xFF', kMemorySize);
     m_external.fill('\0', 128);
@@ -49,6 +58,7 @@ SimulatedBoard::SimulatedBoard(const SimulatorOptions &options)
     store(u"imu.gyro_trust"_s, 2, 190);
     if (m_options.own.contains(u"condition"_s))
         unpack();
+    fitSensors();
     boot();
 }
 
@@ -109,6 +119,8 @@ void SimulatedBoard::boot()
     m_calibration = {};
     m_autoPid.reset();
     m_emergency = false;
+    m_emergencyCause = 9;
+    m_magCalibration = {};
     m_otherVars = {{37, 0}, {38, 0}};
     if (!spec(u"pid.roll.gain"_s))
         m_otherVars.insert({{42, 45}, {43, 45}, {44, 45}});
@@ -130,7 +142,8 @@ void SimulatedBoard::boot()
     ++m_starts;
     for (const Axis axis : kAxes)
         m_stabilizer.setTarget(axis, 0.0);
-    m_stabilizer.setMotorsOn(true);
+    bootSensors();
+    m_stabilizer.setMotorsOn(!m_emergency);
 }
 
 void SimulatedBoard::loadProfile(int profile)
@@ -273,6 +286,7 @@ void SimulatedBoard::cycle()
     updateScript();
     updateAutoPid();
     m_stabilizer.step();
+    updateSensors();
     updateCalibration();
     // For the first half second a calibration blocks everything else (errata 7).
     const double lateStreams = m_options.faults.lateStreams;
@@ -381,9 +395,10 @@ void SimulatedBoard::updateCalibration()
         return;
     SimulatedImu &imu = m_stabilizer.imu();
     const bool gyro = calibration.command == CommandId::CalibGyro;
+    const bool isFrame = calibration.imu == kFrameImu;
     for (std::size_t i = 0; i < kAxisCount; ++i) {
-        const double sample = gyro ? m_stabilizer.rawGyro(kAxes[i]) : m_stabilizer.rawAcc(i);
-        const double motion = m_stabilizer.rawGyro(kAxes[i]);
+        const double motion = isFrame ? m_frameRawGyro[i] : m_stabilizer.rawGyro(kAxes[i]);
+        const double sample = gyro ? motion : isFrame ? m_frameRawAcc[i] : m_stabilizer.rawAcc(i);
         calibration.sum[i] += sample;
         calibration.low[i] = calibration.samples ? std::min(calibration.low[i], motion) : motion;
         calibration.high[i] = calibration.samples ? std::max(calibration.high[i], motion) : motion;
@@ -410,14 +425,18 @@ void SimulatedBoard::updateCalibration()
         for (std::size_t i = 0; i < kAxisCount; ++i)
             mean[i] = calibration.sum[i] / calibration.samples;
         if (gyro)
-            imu.gyroCorrection = mean;
+            (isFrame ? m_frameImu : imu).gyroCorrection = mean;
+        else if (isFrame)
+            m_frameImu.accCorrection = {mean[0], mean[1], mean[2] - 1.0};
         else
             finishAccCalibration(mean);
     }
-    m_stabilizer.setHeld(false);
-    m_stabilizer.resetEstimate();
-    m_stabilizer.setMotorsOn(calibration.motorsWereOn);
-    sendEnd(calibration.command, calibration.version, fails);
+    if (!isFrame) {
+        m_stabilizer.setHeld(false);
+        m_stabilizer.resetEstimate();
+        m_stabilizer.setMotorsOn(calibration.motorsWereOn);
+    }
+    sendEnd(calibration.command, calibration.version, fails ? m_options.faults.failWith : 0);
     calibration.left = 0;
 }
 
@@ -480,17 +499,17 @@ void SimulatedBoard::updateAutoPid()
     m_autoPid.reset();
     for (const Axis axis : kAxes)
         m_stabilizer.setTarget(axis, 0.0);
-    sendEnd(CommandId::AutoPid, m_autoPidVersion, fails);
+    sendEnd(CommandId::AutoPid, m_autoPidVersion, fails ? m_options.faults.failWith : 0);
 }
 
 // What took long has come to its end, or is given up.
-void SimulatedBoard::sendEnd(CommandId command, int version, bool fails)
+void SimulatedBoard::sendEnd(CommandId command, int version, int refusal)
 {
     ByteWriter writer;
     writer.u8(number(command));
-    if (fails)
-        writer.u8(m_options.faults.failWith).zeros(4);
-    send(fails ? CommandId::Error : CommandId::Confirm, writer.take(), version);
+    if (refusal != 0)
+        writer.u8(refusal).zeros(4);
+    send(refusal != 0 ? CommandId::Error : CommandId::Confirm, writer.take(), version);
 }
 
 }  // namespace simplebgc

@@ -24,12 +24,16 @@ enum Refusal {
     kWrongParameters = 2,
     kUnknownCommand = 6,
     kWrongState = 8,
-    kNotSupported = 9
+    kNotSupported = 9,
+    kOperationFailed = 10
 };
 
 inline constexpr int kMostSources = 127;  ///< whose values fit into one frame
 inline constexpr int kMemorySize = 32768;
 inline constexpr int kScriptSlots = 5;
+inline constexpr int kFcRollPin = 3;  ///< as signal sources count them (errata 4.3)
+inline constexpr int kFcPitchPin = 4;
+inline constexpr int kFrameImu = 2;  ///< of SELECT_IMU_3 and calibrations
 inline constexpr double kResetNotice = 1.0;  ///< document CMD_RESET: 1000 ms between notice and restart
 
 /// A SimpleBGC 32-bit controller on a simulated gimbal: memory per profile, volatile variables, streams,
@@ -105,7 +109,44 @@ private:
     void updateScript();
     // motors and pins (mounting.cpp)
     bool handleMotors(const Frame &frame);
-    void startMotorCalibration(const Frame &frame);
+    bool startMotorCalibration(const Frame &frame, double seconds);
+    /// The board is measuring something, and begins nothing else.
+    [[nodiscard]] bool isBusy() const;
+    /// It turns the motors itself, step by step.
+    [[nodiscard]] bool isStepping() const;
+    int finishMotorCalibration();
+    void watchEncoders();
+    void watchSignals();
+    void startEncoderCalibration(const Frame &frame);
+    void startGainCalibration(const Frame &frame);
+    void turnMotors();
+    [[nodiscard]] int encoderFailure() const;
+    void storeMotors();
+    void storeEncoders();
+    int storeGains();
+    /// What CALIB_MODE says (errata 4.6).
+    [[nodiscard]] int calibrationMode() const;
+    // what it is equipped with (sensors.cpp)
+    void fitSensors();
+    void bootSensors();
+    void updateSensors();
+    [[nodiscard]] bool isFitted(const char *option) const
+    {
+        return m_options.own.value(QLatin1String(option)) != 0;
+    }
+    /// A parameter of an axis names the encoder that is there.
+    [[nodiscard]] bool isRead(Axis axis) const;
+    /// Degrees, as the board reads them.
+    [[nodiscard]] double encoderReading(Axis axis) const;
+    /// Between frame and camera, as the board knows it.
+    [[nodiscard]] double motorAngle(Axis axis) const;
+    [[nodiscard]] bool isFrameSensor() const;
+    void updateFrameSensor();
+    [[nodiscard]] double frameAngle(Axis axis) const;
+    void updateMagnetometer();
+    [[nodiscard]] std::array<double, 3> earthField(double roll, double pitch, double yaw) const;
+    void startMagCalibration(const Frame &frame);
+    void updateMagCalibration();
     // other sensors, buses, the boot loader (expert.cpp)
     bool handleExpert(const Frame &frame);
     void correctGyro(const Frame &frame);
@@ -114,7 +155,8 @@ private:
     void takeBusBytes(int address, int reg, const QByteArray &bytes);
     void updateMotorCalibration();
     void updateCalibration();
-    void sendEnd(CommandId command, int version, bool fails);
+    /// @param refusal code of ERROR; 0: it went well
+    void sendEnd(CommandId command, int version, int refusal);
     void updateAutoPid();
 
     // commands (commands.cpp)
@@ -141,7 +183,7 @@ private:
     [[nodiscard]] double volts() const;
     [[nodiscard]] int celsius(int normal) const;
     /// Gravity and heading in vector form, 24 bytes.
-    [[nodiscard]] QByteArray attitudeVectors() const;
+    [[nodiscard]] QByteArray attitudeVectors(bool ofFrame = false) const;
     [[nodiscard]] Angles angles() const;
     [[nodiscard]] std::vector<std::vector<double>> debugValues() const;
     void sendStreams();
@@ -170,6 +212,7 @@ private:
         std::array<double, kAxisCount> high{};
         int samples = 0;
         bool motorsWereOn = false;
+        int imu = 1;
     };
     void finishAccCalibration(const std::array<double, kAxisCount> &mean);
 
@@ -241,6 +284,16 @@ private:
         double until = -1;
         int version = 1;
         bool motorsWereOn = false;
+        double seconds = 0;
+        std::array<bool, kAxisCount> axes{};
+        std::array<double, kAxisCount> from{};  // where the camera stands
+        std::array<double, kAxisCount> turn{};  // how far it is turned
+        std::array<double, kAxisCount> turned{};  // how far it really was
+        std::array<double, kAxisCount> low{};
+        std::array<double, kAxisCount> high{};
+        std::array<double, 6> sums{};  // of signals and angles
+        int samples = 0;
+        bool trustsAnything = false;
     };
     MotorCalibration m_motorCalibration;
     // What others tell of its attitude.
@@ -257,6 +310,24 @@ private:
     bool m_taskRunning = false;
     int m_lastVersion = 1;
     bool m_emergency = false;
+    int m_emergencyCause = 9;  // errata 4.5
+    // Sensors that only some boards have. They have noise of their own, so that the others stay as they are.
+    SimulatedNoise m_sensorNoise;
+    SimulatedImu m_frameImu;
+    std::array<double, kAxisCount> m_frameRawGyro{};
+    std::array<double, kAxisCount> m_frameRawAcc{};
+    std::array<double, 3> m_magRaw{210, -40, 380};  // counts; without the sensor they say nothing
+    std::array<double, 3> m_magZero{};  // found by calibration
+    double m_headingError = 0;  // degrees
+    struct MagCalibration
+    {
+        double until = -1;
+        int version = 1;
+        bool motorsWereOn = false;
+        std::array<double, 3> low{};
+        std::array<double, 3> high{};
+    };
+    MagCalibration m_magCalibration;
     int m_writesSeen = 0;
     bool m_otherClientDone = false;
     double m_resetDone = -1;  // the time of the last restart that the world made

@@ -92,6 +92,10 @@ bool SimulatedBoard::handleRead(const Frame &frame)
         info.boardVersion = m_options.own.value(u"board"_s, kBoardVersion);
         info.firmware = m_options.faults.unknownFirmware ? kUnknownFirmware : m_options.firmware;
         info.features = ThreeAxis | BatteryMonitor | CurrentSensor;
+        if (isFitted("encoders"))
+            info.features |= Encoders;
+        if (isFitted("magnetometer") && m_options.firmware >= kLater)
+            info.features |= Magnetometer;
         info.usb = m_options.usb;
         reply(frame, CommandId::BoardInfo, info.encode());
         return true;
@@ -269,6 +273,11 @@ bool SimulatedBoard::handleAction(const Frame &frame)
         m_stabilizer.setMotorsOn(m_options.faults.runsOn && m_stabilizer.motorsOn());
         m_autoPid.reset();
         m_control = {};
+        // That it ends what turns the motors is an assumption: no document tells.
+        if (isStepping() && !m_options.faults.runsOn) {
+            m_motorCalibration = {};
+            m_stabilizer.resetEstimate();
+        }
         confirm(frame);
         return true;
     case CommandId::Control: control(frame); return true;
@@ -277,9 +286,12 @@ bool SimulatedBoard::handleAction(const Frame &frame)
             menu(quint8(frame.payload[0]), frame);
         return true;
     case CommandId::SelectImu3:
-        // There is no frame IMU; selecting it is ignored (errata 7).
-        if (!frame.payload.isEmpty() && frame.payload[0] == 1)
+        // A sensor that is not there is not selected, and nothing is said (errata 7).
+        if (const int imu = frame.payload.isEmpty() ? 0 : quint8(frame.payload[0]);
+            imu == 1 || (imu == kFrameImu && isFrameSensor())) {
+            m_imu = imu;
             confirm(frame);
+        }
         return true;
     case CommandId::CalibGyro:
     case CommandId::CalibAcc: startCalibration(frame); return true;
@@ -517,7 +529,7 @@ void SimulatedBoard::sendStreams()
         else if (id == CommandId::RealtimeDataCustom)
             payload = realtimeCustom(ByteReader(stream.request.config).u32());
         else
-            payload = attitudeVectors();
+            payload = attitudeVectors(isFrameSensor() && stream.request.config.startsWith('\1'));
         if (m_options.faults.frozen && !stream.sent.isEmpty())
             payload = stream.sent;
         stream.sent = payload;
@@ -530,13 +542,14 @@ void SimulatedBoard::startCalibration(const Frame &frame)
     const bool extended = frame.payload.size() == 12;
     if (!extended && !hasSize(frame, 0))
         return;
-    const int imu = extended ? quint8(frame.payload[0]) : 0;
+    const int asked = extended ? quint8(frame.payload[0]) : 0;
     const int action = extended ? quint8(frame.payload[1]) : 1;
-    if (imu > 2 || action < 1 || action > 7) {
+    if (asked > kFrameImu || action < 1 || action > 7) {
         refuse(frame, kWrongParameters);
         return;
     }
-    if (m_calibration.left > 0 || m_autoPid || imu == 2) {
+    const int imu = asked == 0 ? m_imu : asked;
+    if (isBusy() || (imu == kFrameImu && !isFrameSensor())) {
         refuse(frame, kWrongState);
         return;
     }
@@ -544,10 +557,12 @@ void SimulatedBoard::startCalibration(const Frame &frame)
         confirm(frame);  // at reception; the second one comes at the end (document CALIB_ACC)
     if (action != 1 && action != 3) {
         if (action == 2) {
-            m_stabilizer.imu().gyroCorrection = {};
-            m_stabilizer.imu().accCorrection = {};
-            m_stabilizer.imu().accScale = {1.0, 1.0, 1.0};
-            m_accLimits = {};
+            SimulatedImu &sensor = imu == kFrameImu ? m_frameImu : m_stabilizer.imu();
+            sensor.gyroCorrection = {};
+            sensor.accCorrection = {};
+            sensor.accScale = {1.0, 1.0, 1.0};
+            if (imu != kFrameImu)
+                m_accLimits = {};
         }
         if (action == 2 || action == 4 || action == 5) {
             reply(frame, CommandId::Reset, {});
@@ -563,6 +578,9 @@ void SimulatedBoard::startCalibration(const Frame &frame)
     m_calibration.action = action;
     m_calibration.version = frame.version;
     m_calibration.motorsWereOn = m_stabilizer.motorsOn();
+    m_calibration.imu = imu;
+    if (imu == kFrameImu)
+        return;  // the camera may move
     m_stabilizer.setMotorsOn(false);
     // The operator lays the camera down level, unless a fault has him shake it.
     if (m_options.faults.shake <= 2.0 && m_options.faults.pose == 0) {

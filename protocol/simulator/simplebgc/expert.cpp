@@ -19,7 +19,6 @@ namespace {
 constexpr int kMainSensor = 0x68 << 1;  // address byte: bit 0 is the bus
 constexpr int kMemoryChip = 0x50 << 1 | 1;
 constexpr int kWhoAmI = 0x75;
-constexpr int kOperationFailed = 10;
 constexpr int kWideModeSince = 2695;
 constexpr double kTrust = 0.05;  // of a reference, each time it is told
 constexpr double kNoticeLeaves = 0.005;  // seconds
@@ -86,7 +85,7 @@ bool SimulatedBoard::takeAttitude(const Frame &frame)
     ByteReader reader(frame.payload);
     const int mode = reader.u8();
     if (!(mode & 1)) {
-        reply(frame, CommandId::AhrsHelper, attitudeVectors());
+        reply(frame, CommandId::AhrsHelper, attitudeVectors(mode & 2 && isFrameSensor()));
         return true;
     }
     if (m_options.firmware >= kWideModeSince)

@@ -59,6 +59,26 @@ Result<void> readNumber(SimulatorSetup &setup, const QString &text)
     return {};
 }
 
+// One of these words; its place is the number of the option.
+Result<void> readWord(SimulatorSetup &setup, const QString &option, const QStringList &words,
+                      const QString &text)
+{
+    const qsizetype number = words.indexOf(text);
+    if (number < 0)
+        return failure(ErrorCode::InvalidArgument,
+                       u"%1 is %2, not '%3'"_s.arg(option, words.join(u" or "_s), text));
+    setup.options.own[option] = int(number);
+    return {};
+}
+
+SimulatedOption fitted(const QString &name, const QStringList &help,
+                       const QStringList &words = {u"0"_s, u"1"_s})
+{
+    return {name, u"V"_s, help, [name, words](SimulatorSetup &setup, const QString &text) {
+                return readWord(setup, name, words, text);
+            }};
+}
+
 Result<void> readParity(SimulatorSetup &setup, const QString &text)
 {
     if (text != u"none"_s && text != u"even"_s)
@@ -86,7 +106,16 @@ SimulatedFamily simulatedFamily()
           u"P"_s,
           {u"none or even. Firmware 2.40 knows only even, later ones take both."_s,
            u"Linux pseudo-terminals carry no parity: there it changes the timing only"_s},
-          readParity}},
+          readParity},
+         fitted(
+             u"encoders"_s,
+             {u"0, 1 or new: encoders at the motors, calibrated or never calibrated. New ones tell wrong"_s,
+              u"angles, and their motors are weak or run away"_s},
+             {u"0"_s, u"1"_s, u"new"_s}),
+         fitted(u"frame-imu"_s,
+                {u"0 or 1: a motion sensor at the frame that can be selected and calibrated"_s}),
+         fitted(u"magnetometer"_s, {u"0 or 1: a magnetometer at the camera, not calibrated"_s}),
+         fitted(u"fc"_s, {u"0 or 1: a flight controller gives the frame's tilt at FC_ROLL and FC_PITCH"_s})},
         [](const SimulatorOptions &options) { return std::make_unique<SimulatedBoard>(options); }};
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Data that the simulated board reports: real-time data, angles, debug variables.
 #include "protocol/base/angles.h"
+#include "protocol/simplebgc/messages.h"
 #include "protocol/simplebgc/telemetrytables.h"
 #include "protocol/simplebgc/units.h"
 #include "protocol/simulator/simplebgc/board.h"
@@ -14,6 +15,9 @@ using namespace Qt::StringLiterals;
 namespace simplebgc {
 
 namespace {
+
+constexpr quint32 kStartedUp = 1U << 4;  // errata 4.4
+constexpr int kStateFlagsSince = 2730;  // of REALTIME_DATA_4 (errata 3.8)
 
 // No document says which firmware introduced which field; here they come in two steps, so that clients also
 // meet boards that have only some.
@@ -73,27 +77,32 @@ QByteArray SimulatedBoard::realtime(bool extended) const
         errors |= 1 << 11;
 
     ByteWriter writer;
+    const bool isFrame = m_imu == kFrameImu;
     for (std::size_t i = 0; i < kAxisCount; ++i)
-        writer.i16(toCount16(s.acc()[i], kAccUnit)).i16(toCount16(s.gyro(kAxes[i]), kGyroUnit));
-    writer.u16(int(std::min<quint64>(m_serialErrors, 65535))).u16(errors).u8(m_emergency ? 9 : 0).zeros(3);
+        writer.i16(toCount16(isFrame ? m_frameRawAcc[i] - m_frameImu.accCorrection[i] : s.acc()[i], kAccUnit))
+            .i16(toCount16(isFrame ? m_frameRawGyro[i] - m_frameImu.gyroCorrection[i] : s.gyro(kAxes[i]),
+                           kGyroUnit));
+    writer.u16(int(std::min<quint64>(m_serialErrors, 65535)))
+        .u16(errors)
+        .u8(m_emergency ? m_emergencyCause : 0)
+        .zeros(3);
     for (const char *input : {"roll", "pitch", "yaw", "cmd"})
         writer.i16(1500 + int(std::lround(500 * rcInput(QLatin1String(input)).value_or(0))));
-    writer.i16(0).i16(0);
+    for (const int pin : {kFcRollPin, kFcPitchPin}) {
+        const auto told = signal(pin);
+        writer.i16(told ? 1500 + int(std::lround(500 * *told)) : 0);
+    }
     for (const Axis axis : kAxes)
         writer.i16(reportedAngle(s.estimate(axis)));
-    for (const Axis axis : kAxes) {
-        const bool isTold = m_now < m_frameToldUntil;
-        writer.i16(isTold                 ? reportedAngle(m_frameTold[std::size_t(axis)])
-                       : m_hasFrameSensor ? reportedAngle(s.hand().angle(axis))
-                                          : 0);
-    }
+    for (const Axis axis : kAxes)
+        writer.i16(reportedAngle(frameAngle(axis)));
     for (const Axis axis : kAxes)
         writer.i16(reportedAngle(s.target(axis)));
     writer.u16(800)
         .u16(s.imuPresent() ? 0 : 1000)
         .u8(errors & 0xFF)
         .u16(int(std::lround(volts * 100.0)))
-        .u8(s.motorsOn())
+        .u8(s.motorsOn() || isStepping())
         .u8(m_imu)
         .u8(m_active);
     for (const Axis axis : kAxes)
@@ -101,19 +110,20 @@ QByteArray SimulatedBoard::realtime(bool extended) const
     if (!extended)
         return writer.take();
     for (const Axis axis : kAxes)
-        writer.i16(reportedAngle(s.jointAngle(axis)));
+        writer.i16(reportedAngle(motorAngle(axis)));
     writer.zeros(1);
     for (const Axis axis : kAxes)
         writer.i16(int(std::lround(std::clamp(s.torque(axis), -1.0, 1.0) * 512.0)));
-    writer.u16(int(std::lround(s.current() * 1000.0)))
-        .i16(210)
-        .i16(-40)
-        .i16(380)
-        .i8(celsius(31))
-        .i8(0)
+    writer.u16(int(std::lround(s.current() * 1000.0)));
+    for (const double counts : m_magRaw)
+        writer.i16(int(std::lround(counts)));
+    writer.i8(celsius(31))
+        .i8(isFitted("frame-imu") ? celsius(29) : 0)
         .u8(2)
-        .u8(0);
-    return writer.zeros(36).take();
+        .u8(int(std::clamp(m_headingError * 10.0, 0.0, 255.0)));
+    writer.zeros(6).u8(m_options.firmware >= kLater ? calibrationMode() : 0);
+    writer.zeros(7).u32(m_options.firmware >= kStateFlagsSince ? kStartedUp : 0);
+    return writer.zeros(18).take();
 }
 
 // What no frame can carry (errata 1.5).
@@ -138,7 +148,7 @@ QByteArray SimulatedBoard::realtimeCustom(quint32 flags) const
     if (flags & 4)
         each([&](Axis axis) { return toCount16(m_targetSpeed[std::size_t(axis)], kGyroUnit); });
     if (flags & 8)
-        each([&](Axis axis) { return reportedAngle(s.jointAngle(axis)); });
+        each([&](Axis axis) { return reportedAngle(motorAngle(axis)); });
     if (flags & 16)
         each([&](Axis axis) { return toCount16(s.gyro(axis), kGyroUnit); });
     if (flags & 32)
@@ -169,14 +179,14 @@ QByteArray SimulatedBoard::laterFields(quint32 flags) const
     };
     const auto estimate = [&s](Axis axis) { return s.estimate(axis); };
     const auto target = [&s](Axis axis) { return s.target(axis); };
-    const auto joint = [&s](Axis axis) { return s.jointAngle(axis); };
+    const auto joint = [this](Axis axis) { return motorAngle(axis); };
     if (has(9))
         writer.zeros(8);
     if (has(10))  // both references are the internal sensors; the main one is present and working
         writer.u8(0xC9).u8(0).u8(2).zeros(23);
     if (has(11)) {
         for (const Axis axis : kAxes) {
-            const auto count = quint32(std::lround(s.jointAngle(axis) / 360.0 * 16777216.0)) & 0xFFFFFF;
+            const auto count = quint32(std::lround(encoderReading(axis) / 360.0 * 16777216.0)) & 0xFFFFFF;
             writer.u16(int(count & 0xFFFF)).u8(int(count >> 16));
         }
     }
@@ -211,13 +221,8 @@ QByteArray SimulatedBoard::laterFields(quint32 flags) const
         fine(target);
     if (has(19))
         writer.u16(s.imuPresent() ? 0 : 1000).u16(int(std::min<quint64>(m_serialErrors, 65535))).u16(0).u8(0);
-    if (has(20)) {  // errata 4.4 and 4.6
-        const int calibration = m_calibration.left > 0
-            ? (m_calibration.command == CommandId::CalibAcc ? 4 : 5)
-            : m_autoPid ? 8
-                        : 0;
-        writer.u32(1U << 4).u8(calibration).zeros(8);
-    }
+    if (has(20))  // errata 4.4 and 4.6
+        writer.u32(kStartedUp).u8(calibrationMode()).zeros(8);
     if (has(21))
         writer.write(packQuaternion(attitude(estimate)));
     if (has(22))
@@ -239,11 +244,13 @@ QByteArray SimulatedBoard::laterFields(quint32 flags) const
     return writer.take();
 }
 
-QByteArray SimulatedBoard::attitudeVectors() const
+QByteArray SimulatedBoard::attitudeVectors(bool ofFrame) const
 {
-    const double roll = radians(m_stabilizer.estimate(Axis::Roll));
-    const double pitch = radians(m_stabilizer.estimate(Axis::Pitch));
-    const double yaw = radians(m_stabilizer.estimate(Axis::Yaw));
+    const auto angle
+        = [&](Axis axis) { return radians(ofFrame ? frameAngle(axis) : m_stabilizer.estimate(axis)); };
+    const double roll = angle(Axis::Roll);
+    const double pitch = angle(Axis::Pitch);
+    const double yaw = angle(Axis::Yaw);
     ByteWriter writer;
     writer.f32(float(std::sin(roll)))
         .f32(float(-std::sin(pitch)))
@@ -257,7 +264,7 @@ Angles SimulatedBoard::angles() const
     Angles result;
     for (std::size_t i = 0; i < kAxisCount; ++i) {
         result[i] = {m_stabilizer.estimate(kAxes[i]), m_stabilizer.target(kAxes[i]), m_targetSpeed[i],
-                     m_stabilizer.jointAngle(kAxes[i])};
+                     motorAngle(kAxes[i])};
     }
     return result;
 }
@@ -274,7 +281,7 @@ std::vector<std::vector<double>> SimulatedBoard::debugValues() const
             {31},
             {800},
             {m_now * 1000.0},
-            {s.jointAngle(Axis::Yaw)}};
+            {motorAngle(Axis::Yaw)}};
 }
 
 }  // namespace simplebgc

@@ -20,6 +20,7 @@ constexpr int kUndefined = -10000;
 constexpr int kFineUndefined = -32768;
 constexpr double kFull = 500;
 constexpr double kFineFull = 16384;
+constexpr double kFcSpan = 45;  // degrees at which the flight controller gives its full signal
 
 int fine(const std::optional<double> &signal)
 {
@@ -50,6 +51,10 @@ void SimulatedBoard::setChannels(const Frame &frame)
 
 std::optional<double> SimulatedBoard::signal(int source) const
 {
+    if (isFitted("fc") && (source == kFcRollPin || source == kFcPitchPin)) {
+        const Axis axis = source == kFcRollPin ? Axis::Roll : Axis::Pitch;
+        return std::clamp(m_stabilizer.hand().angle(axis) / kFcSpan, -1.0, 1.0);
+    }
     if (source < kFirstApiSource || source > kLastApiSource)
         return {};  // there is no receiver, and nothing at the analog inputs
     return m_signals.channels[std::size_t(source - kFirstApiSource)];

@@ -65,6 +65,10 @@ void SimulatedBoard::runMenu(int action, int version)
             Frame(number(action == 9 ? CommandId::CalibGyro : CommandId::CalibAcc), {}, version));
         break;
     }
+    case 33:
+        if (isFitted("magnetometer"))
+            startMagCalibration(Frame(number(CommandId::CalibMag), {}, version));
+        break;
     case 7:
         send(CommandId::Reset, {}, version);
         restart(kResetNotice);

@@ -163,7 +163,8 @@ void Stabilizer::step()
             = axis.gains.poles <= 0 ? 0.0 : std::min(3.0, double(kTruePoles) / axis.gains.poles);
         const double limit = axis.gains.power * m_voltage / kNominalVoltage;
         const double command = driven ? std::clamp(axis.command * poleFactor, -limit, limit) : 0.0;
-        torque[i] = axis.torque = axis.gains.inverted ? -command : command;
+        axis.torque = axis.gains.inverted ? -command : command;
+        torque[i] = axis.torque * axis.field;
         axis.effort = driven ? axis.gains.power : 0.0;
         m_current += std::abs(command) * 1.6 + axis.effort * 0.25;
     }

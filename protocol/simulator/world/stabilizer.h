@@ -85,6 +85,9 @@ public:
     /// Roll and pitch motors are swapped.
     void setSwappedMotors(bool swapped) { m_swapped = swapped; }
     void setVoltage(double volts) { m_voltage = volts; }
+    /// Share of the motor's torque that its field gives: 1 where it is led as the magnets stand, 0 across
+    /// them, below 0 the motor pulls the wrong way.
+    void setField(Axis axis, double share) { m_axes[index(axis)].field = share; }
     void step();
 
     [[nodiscard]] double target(Axis axis) const { return m_axes[index(axis)].target; }
@@ -131,6 +134,7 @@ private:
         double command = 0;  // computed in the last cycle, takes effect now: the loop's delay
         double effort = 0;
         double torque = 0;
+        double field = 1;
     };
     static std::size_t index(Axis axis) { return static_cast<std::size_t>(axis); }
     void sense();
