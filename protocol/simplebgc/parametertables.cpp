@@ -4,7 +4,9 @@
 
 #include "protocol/simplebgc/choices.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace simplebgc {
 
@@ -54,6 +56,14 @@ bool isSerialPin(double source, double mode)
     return source == kPinRcRoll && mode >= 1 && mode <= 3;
 }
 
+// ENCODER_CFG is the clock of an encoder on SPI: one of four (errata 3.4).
+bool isNoClock(double config, double type)
+{
+    constexpr int kSpiTypes[] = {1, 4, 14};  // AS5048A, AMT203, RLS Orbis
+    return config > 3
+        && std::find(std::begin(kSpiTypes), std::end(kSpiTypes), int(type)) != std::end(kSpiTypes);
+}
+
 bool isForTwoAxes(double order, double)
 {
     return order == 2 || order == 3;
@@ -66,6 +76,7 @@ std::span<const ValueRule> valueRules()
     static constexpr const char *kSensor = "one axis of a sensor cannot point both up and to the right";
     static constexpr const char *kPort = "two motors cannot be at the same output";
     static constexpr const char *kServo = "this pin puts out a servo's signal, so it cannot be an input";
+    static constexpr const char *kClock = "an encoder on SPI has one of four speeds, and none inside";
     static constexpr const char *kSerial = "this pin carries a receiver's serial signal, and no pulses";
     static constexpr ValueRule kFixed[] = {
         {"imu.main.axis_top", "imu.main.axis_right", isSameDirection, kSensor},
@@ -74,6 +85,9 @@ std::span<const ValueRule> valueRules()
         {"motor.roll.output", "motor.pitch.output", isSameOutput, kPort},
         {"motor.roll.output", "motor.yaw.output", isSameOutput, kPort},
         {"motor.pitch.output", "motor.yaw.output", isSameOutput, kPort},
+        {"encoder.roll.config", "encoder.roll.type", isNoClock, kClock, "encoders"},
+        {"encoder.pitch.config", "encoder.pitch.type", isNoClock, kClock, "encoders"},
+        {"encoder.yaw.config", "encoder.yaw.type", isNoClock, kClock, "encoders"},
         // The document of 2.5x; later ones know these orders for three axes.
         {"imu.euler_order", "", isForTwoAxes, "this order is for boards with two axes", "yaw-axis", 2599},
     };

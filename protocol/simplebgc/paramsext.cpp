@@ -14,7 +14,12 @@ constexpr Choice kEncoderTypes[] = {
     {6, "MA3 12 bit"}, {7, "Analog"}, {8, "I2C driver 1"}, {9, "I2C driver 2"}, {10, "I2C driver 3"},
     {11, "I2C driver 4"}, {12, "AS5600 PWM"}, {13, "AS5600 I2C"}, {14, "RLS Orbis", 2600},
     {15, "RLS Orbis PWM", 2600}};
-constexpr Choice kEncoderSpeeds[] = {{0, "1 MHz"}, {1, "2 MHz"}, {2, "4 MHz"}, {3, "500 kHz"}};
+// Of an SPI encoder the clock; of an I2C driver the encoder inside, which is assumed to be numbered as above.
+constexpr Choice kEncoderConfigs[] = {
+    {0, "1 MHz"}, {1, "2 MHz (in a driver: AS5048A)"}, {2, "4 MHz (in a driver: AS5048B)"},
+    {3, "500 kHz (in a driver: AS5048 PWM)"}, {4, "In a driver: AMT203"}, {5, "In a driver: MA3 10 bit"},
+    {6, "In a driver: MA3 12 bit"}, {7, "In a driver: analog"}, {12, "In a driver: AS5600 PWM"},
+    {13, "In a driver: AS5600 I2C"}, {14, "In a driver: RLS Orbis", 2600}, {15, "In a driver: RLS Orbis PWM", 2600}};
 
 constexpr double kAngle14 = 0.02197265625;  // degrees per count (errata 0)
 
@@ -107,7 +112,7 @@ constexpr ParameterRow kParamsExtRows[] = {
     {.key = "encoder.%a.config", .label = "Encoder bus speed", .group = "Encoders",
      .help = "Clock of an SPI encoder; for an I2C driver the type of its own encoder.",
      .block = ParamsExt, .offset = 86, .kind = ValueKind::Choice, .axes = 3, .axisStride = 1,
-     .choices = kEncoderSpeeds, .scope = Scope::Board, .capability = "encoders"},
+     .choices = kEncoderConfigs, .scope = Scope::Board, .capability = "encoders"},
     {.key = "pid.%a.outer_p", .label = "Outer P", .group = "Stabilization",
      .help = "Gain of the outer loop, from angle error to wanted speed.",
      .block = ParamsExt, .offset = 89, .axes = 3, .axisStride = 1, .defaults = {100, 100, 100}},

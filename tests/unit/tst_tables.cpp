@@ -210,7 +210,7 @@ void TestTables::capabilitiesDecideWhatThereIs()
 
 void TestTables::rulesAreAboutWhatThereIs()
 {
-    const ParameterSet set(parameterRows(), kBlocks, 2590, {u"yaw-axis"_s}, valueRules());
+    const ParameterSet set(parameterRows(), kBlocks, 2590, {u"yaw-axis"_s, u"encoders"_s}, valueRules());
     QCOMPARE(set.rules().size(), valueRules().size());
     for (const ValueRule &rule : set.rules()) {
         QVERIFY2(set.find(QLatin1String(rule.first)), rule.first);
