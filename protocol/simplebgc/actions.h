@@ -5,6 +5,11 @@
 #include "protocol/simplebgc/device.h"
 #include "protocol/simplebgc/parametertables.h"
 
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
 namespace simplebgc {
 
 /// The actions of the family, as table and code: everything in the serial API that is neither a parameter nor
@@ -53,9 +58,15 @@ private:
     Result<ActionReply> autoTune(const QVariantMap &arguments);
     Result<ActionReply> stopAutoTune(const QVariantMap &arguments);
     Result<ActionReply> reset(const QVariantMap &arguments);
-    // boardactions.cpp
+    // sensoractions.cpp
     Result<ActionReply> calibratePoles(const QVariantMap &arguments);
     Result<ActionReply> calibrateMagLink(const QVariantMap &arguments);
+    Result<ActionReply> calibrateEncoderOffsets(const QVariantMap &arguments);
+    Result<ActionReply> calibrateEncoderFields(const QVariantMap &arguments);
+    Result<ActionReply> readState(const QVariantMap &arguments);
+    Result<ActionReply> calibrateFcGain(const QVariantMap &arguments);
+    Result<ActionReply> calibrateMagnetometer(const QVariantMap &arguments);
+    // boardactions.cpp
     Result<ActionReply> selectImu(const QVariantMap &arguments);
     Result<ActionReply> setPin(const QVariantMap &arguments);
     Result<ActionReply> setServo(const QVariantMap &arguments);
@@ -83,8 +94,61 @@ private:
     Result<ActionReply> followScript(const QVariantMap &arguments);
     Result<ActionReply> useDefaults(const QVariantMap &arguments);
 
-    /// Runs a calibration that finds parameters of this block, and tells them; "%1" in the keys is the axis.
-    Result<ActionReply> calibrateMotors(CommandId id, Block block, std::initializer_list<const char *> keys);
+    /// A calibration that the board makes by itself, and the parameters that it finds; "%1" in their keys is
+    /// the axis.
+    struct SelfCalibration
+    {
+        CommandId id{};
+        int mode = 0;  ///< of CALIB_MODE while it goes on (errata 4.6)
+        Block block{};
+        std::vector<const char *> keys;
+        QByteArray payload = {};
+        const char *step = "calibrate-motors";  ///< of its progress
+        Duration length = 12s;  ///< after reception, where the board does not tell that it goes on
+    };
+    struct SelfCalibrated
+    {
+        ActionReply reply;  ///< what it found, and in ".before" what was there where that is something else
+        bool isProven = false;  ///< something has changed, or the board was seen to calibrate
+    };
+    struct Watched
+    {
+        bool hasBegun = false;  ///< it was confirmed, or seen
+        bool hasRun = false;  ///< the board was seen to calibrate
+        bool isOver = false;
+        bool isConfirmed = false;  ///< its end was
+        std::optional<Error> refusal;
+    };
+    using Watcher = std::function<Result<void>(Duration since)>;
+    /// Starts it and waits for its end. Errors: Timeout where nothing is heard, those of the link and of the
+    /// watcher, who is called all the while.
+    Result<Watched> watchCalibration(const SelfCalibration &calibration, const Watcher &meanwhile);
+    using Values = QMap<QString, double>;
+    Result<Values> parametersOf(int profile, Block block, const std::vector<const char *> &keys);
+    /// Errors: the board's refusal, Timeout, those of the link.
+    Result<SelfCalibrated> calibrateByItself(const SelfCalibration &calibration);
+    /// The same, and what is found is told. Errors: NoEffect where nothing shows that it was carried out.
+    Result<ActionReply> calibrateProven(const SelfCalibration &calibration);
+    /// REALTIME_DATA_4, asked once.
+    Result<Frame> fullStatus();
+    Result<std::array<double, kAxisCount>> motorAngles();
+    /// Whether the board is in this mode of calibration; nothing where it does not tell.
+    Result<std::optional<bool>> isCalibrating(int mode);
+    /// What a magnetometer tells while it is turned.
+    struct MagSamples
+    {
+        std::vector<std::array<double, 3>> counts;
+        /// The middle between the extremes, and how far they are apart.
+        [[nodiscard]] std::array<double, 3> middle() const;
+        [[nodiscard]] std::array<double, 3> spread() const;
+        /// How many of eight directions were seen from the middle: none where all of it may be noise, as it
+        /// was with a camera at rest.
+        [[nodiscard]] int directions(const MagSamples &atRest) const;
+        [[nodiscard]] double strength() const;
+    };
+    /// The newest error of the heading, in degrees, after a sample was added.
+    Result<double> sampleMagnetometer(MagSamples &samples);
+    Result<double> headingError(MagSamples &samples);
     Result<QByteArray> externalData();
     /// Registers of a device on a bus; asked once. Errors: Timeout or BoardError where nobody is there, those
     /// of the link.
@@ -110,6 +174,7 @@ private:
         std::array<double, 3> acc{};  ///< g, mean
         bool isUpright = false;  ///< Z points up
         bool motorsRun = false;
+        int imu = 0;  ///< whose figures they are: 1 main, 2 frame
     };
     /// Errors: ConditionUnmet (no sensor), NoSamples, those of the link.
     Result<Stillness> measureStillness();

@@ -190,8 +190,16 @@ constexpr ArgumentSpec kResetArguments[] = {
 constexpr ArgumentSpec kDefaultsArguments[] = {
     {.key = "what", .label = "What", .kind = ArgumentKind::Choice, .choices = kDefaultsScope}};
 
+constexpr ArgumentSpec kEncoderArguments[] = {
+    {.key = "motor", .label = "Motor", .kind = ArgumentKind::Choice, .choices = kMotorNames, .defaultText = "all"}};
+constexpr ArgumentSpec kFieldArguments[] = {
+    {.key = "angle", .label = "Turn by", .kind = ArgumentKind::Real, .min = 5, .max = 170, .unit = "°", .defaultText = "40"},
+    {.key = "speed", .label = "Speed", .kind = ArgumentKind::Real, .min = 1, .max = 60, .unit = "°/s", .defaultText = "6"}};
+
 constexpr ReplyUnit kAngleUnits[] = {{"speed", "°/s"}, {"imu", "°"}, {"target", "°"}, {"motor", "°"}};
 constexpr ReplyUnit kStillnessUnits[] = {{"gyro", "°/s"}, {"acc", "g"}};
+constexpr ReplyUnit kEncoderUnits[] = {{"offset", "°"}, {"field_offset", "°"}, {"motor", "°"}};
+constexpr ReplyUnit kMagUnits[] = {{"heading.error", "°"}};
 constexpr ReplyUnit kBatteryUnits[] = {{"voltage", "V"}};
 constexpr ReplyUnit kSignalUnits[] = {{"map", "%"}};
 constexpr ReplyUnit kSlotUnits[] = {{"signal", "%"}};
@@ -209,6 +217,8 @@ constexpr ActionSpec kActions[] = {
      .group = "Read"},
     {.key = "debug.read", .label = "Read debug variables", .help = "Values of the board's inner variables.",
      .group = "Read"},
+    {.key = "state", .label = "Read state", .help = "What the board is calibrating, and which of its modes are on.", .group = "Read",
+     .since = 2600},
     {.key = "variables.read", .label = "Read adjustable variables", .help = "Live values in the board's memory.",
      .group = "Read", .arguments = kReadVariables},
     {.key = "beep", .label = "Make a sound", .help = "Standard sound or melody; helps to find the right board.",
@@ -257,6 +267,22 @@ constexpr ActionSpec kActions[] = {
      .help = "The board moves each motor to measure how stiffly its magnets hold.", .group = "Calibration",
      .risk = ActionRisk::Writes, .isProcedure = true, .since = 2560,
      .confirm = "The camera is balanced and can turn freely"},
+    {.key = "calibrate.encoder_field", .label = "Find fields of encoders",
+     .help = "The board turns each motor there and back to find where its magnets stand against the encoder. A wrong value makes the "
+             "motor weak, or it runs away.",
+     .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kFieldArguments, .isProcedure = true, .since = 2600,
+     .capability = "encoders", .confirm = "The camera is balanced and can turn freely", .units = kEncoderUnits, .endedBy = "motors.off"},
+    {.key = "calibrate.encoder_offset", .label = "Take position as zero of encoders",
+     .help = "What the encoders read now becomes the zero of the motors' angles. Nothing is turned.", .group = "Calibration",
+     .risk = ActionRisk::Writes, .arguments = kEncoderArguments, .isProcedure = true, .since = 2600, .capability = "encoders",
+     .confirm = "The camera is level and looks straight ahead, as in its normal position", .units = kEncoderUnits},
+    {.key = "calibrate.fc_gain", .label = "Match flight controller",
+     .help = "Tilt the frame by hand to all sides until it ends: the board compares its angle with the signal of the flight controller.",
+     .group = "Calibration", .risk = ActionRisk::Writes, .isProcedure = true},
+    {.key = "calibrate.magnetometer", .label = "Calibrate magnetometer",
+     .help = "Turn the camera in all directions until it ends. Motors are off meanwhile, so hold it, and keep away from iron and cables.",
+     .group = "Calibration", .risk = ActionRisk::Writes, .isProcedure = true, .since = 2600, .capability = "magnetometer",
+     .confirm = "The camera is held in the hand", .units = kMagUnits, .letsGo = true},
     {.key = "imu.select", .label = "Select sensor", .help = "Which sensor calibrations and readings are about.", .group = "Board",
      .arguments = kSelectArguments},
     {.key = "pin", .label = "Set pin", .help = "Sets an output pin. A pin that is an input is not set.", .group = "Signals",

@@ -24,9 +24,6 @@ namespace simplebgc {
 
 namespace {
 
-constexpr auto kMotorCalibration = 60s;  // errata 7: poles take tens of seconds
-constexpr auto kReceptionHeard = 2s;  // a confirmation that early is that of reception
-constexpr auto kEndHeard = 12s;  // after reception alone, the end may never be confirmed
 constexpr auto kChannelPeriod = 50ms;
 constexpr auto kSwitched = 2s;
 constexpr int kUsedImuOffset = 58;  // of REALTIME_DATA_3
@@ -41,86 +38,6 @@ constexpr qint64 kLargestImage = 4 * 1024 * 1024;
 constexpr int kExternalSize = 128;
 
 }  // namespace
-
-// What a calibration of the motors finds is in the parameters; the board's confirmations tell little, so they
-// are compared.
-Result<ActionReply> Actions::calibrateMotors(CommandId id, Block block,
-                                             std::initializer_list<const char *> keys)
-{
-    if (const auto sees = needSensor(); !sees)
-        return tl::unexpected(sees.error());
-    const auto active = m_device.activeProfile(m_channel);
-    if (!active)
-        return tl::unexpected(active.error());
-    const auto read = [&]() -> Result<QMap<QString, double>> {
-        const auto bytes = m_device.readBlock(m_channel, {*active, block});
-        if (!bytes)
-            return tl::unexpected(bytes.error());
-        QMap<QString, double> values;
-        for (const char *key : keys) {
-            for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-                const ParameterSpec *spec
-                    = m_device.m_parameters->find(QString::fromLatin1(key).arg(axisName(axis)));
-                if (const auto raw = spec ? spec->read(*bytes) : std::nullopt)
-                    values.insert(spec->key, spec->toDisplay(*raw));
-            }
-        }
-        return values;
-    };
-    const auto before = read();
-    if (!before)
-        return tl::unexpected(before.error());
-    const auto heard = m_channel.listen(
-        [id](const FrameView &frame) { return isConfirmOf(frame, id) || refusalOf(frame, number(id)); });
-    m_channel.expectSilence(kMotorCalibration);
-    const TimePoint started = m_channel.now();
-    Request request = silentRequest(id, {}, Device::kVersion);
-    if (const auto sent = m_channel.transact(request); !sent)
-        return tl::unexpected(sent.error());
-    Progress progress;
-    progress.step = u"calibrate-motors"_s;
-    progress.subject = commandName(number(id));
-    progress.total = 100;
-    bool isHeard = false;
-    bool isOver = false;
-    while (!isOver && m_channel.now() - started < (isHeard ? kEndHeard : kMotorCalibration)) {
-        const auto frame = heard->next(200ms);
-        if (!frame && frame.error().code != ErrorCode::Timeout)
-            return tl::unexpected(frame.error());
-        if (frame) {
-            const FrameView view{frame->id, asBytes(frame->payload), frame->version, {}};
-            if (const auto refusal = refusalOf(view, number(id)))
-                return tl::unexpected(*refusal);
-            isOver = m_channel.now() - started > kReceptionHeard;
-            isHeard = true;
-        }
-        progress.done = std::min(95, int(seconds(m_channel.now() - started) / seconds(kEndHeard) * 95));
-        m_channel.progress(progress);
-    }
-    if (!isHeard)
-        return failure(ErrorCode::Timeout, commandName(number(id)));
-    const auto after = read();
-    if (!after)
-        return tl::unexpected(after.error());
-    ActionReply reply;
-    for (auto it = after->begin(); it != after->end(); ++it) {
-        reply.insert(it.key(), it.value());
-        if (it.value() != before->value(it.key()))
-            reply.insert(it.key() + u".before"_s, before->value(it.key()));
-    }
-    reply.insert(u"confirmed"_s, isOver);
-    return reply;
-}
-
-Result<ActionReply> Actions::calibratePoles(const QVariantMap &)
-{
-    return calibrateMotors(CommandId::CalibPoles, Params3, {"motor.%1.poles", "motor.%1.invert"});
-}
-
-Result<ActionReply> Actions::calibrateMagLink(const QVariantMap &)
-{
-    return calibrateMotors(CommandId::CalibMotorMagLink, ParamsExt2, {"motor.%1.magnetic_link"});
-}
 
 Result<ActionReply> Actions::selectImu(const QVariantMap &arguments)
 {

@@ -84,6 +84,12 @@ Result<ActionReply> Actions::calibrate(CommandId id, const QVariantMap &argument
         return tl::unexpected(before.error());
     const bool byHand = arguments.value(u"six"_s).toBool();
     const bool measures = arguments.value(u"action"_s, 1).toInt() == kMeasuring;
+    const int imu = arguments.value(u"imu"_s).toInt();
+    if (measures && imu != 0 && before->imu != 0 && imu != before->imu) {
+        return failure(ErrorCode::ConditionUnmet,
+                       u"the board shows its other sensor, so nobody would see what the calibration does: "
+                       "imu.select imu=%1 first"_s.arg(imu == 2 ? u"frame"_s : u"main"_s));
+    }
     if (const auto still = measures ? checkStill(id, *before) : Result<void>(); !still)
         return tl::unexpected(still.error());
     if (const auto off = byHand ? stopMotors() : Result<void>(); !off)
@@ -218,6 +224,8 @@ Result<Actions::Stillness> Actions::measureStillness()
                 sensed[axis] = value;
                 sum[axis] += value;
                 squares[axis] += value * value;
+            } else if (field.channel == CurrentImu) {
+                stillness.imu = int(value);
             } else if (field.channel >= AccX && field.channel <= AccZ) {
                 const auto axis = std::size_t(field.channel - AccX);
                 sensed[3 + axis] = acc[axis] = value;

@@ -44,6 +44,7 @@ struct FieldSpec
     double scale = 1;  ///< raw x scale = value in that unit
     std::span<const Choice> words{};  ///< of its numbers
     std::span<const FieldSpec> inner{};
+    bool isFlags = false;  ///< the words are of its bits
 };
 
 using Fields = std::span<const FieldSpec>;

@@ -24,6 +24,11 @@ constexpr FieldSpec word(const char *name, FieldType type, std::span<const Choic
     return number(name, type, "", 1, words);
 }
 
+constexpr FieldSpec flags(const char *name, FieldType type, std::span<const Choice> bits)
+{
+    return {name, type, 1, Elements::One, "", 1, bits, {}, true};
+}
+
 constexpr FieldSpec axes(const char *name, FieldType type, const char *unit = "", double scale = 1)
 {
     return {name, type, 3, Elements::Axes, unit, scale, {}, {}};
@@ -116,9 +121,10 @@ constexpr FieldSpec kRealtime4[] = {
     group("", kRealtime3, 1, Elements::One), axes("motor", S16, "°", kDegreesPerCount), reserved(1), axes("balance", S16),
     number("current", U16, "mA"), axes("mag", S16), number("temperature", S8, "°C"), number("frame.temperature", S8, "°C"),
     number("gravity.error", U8, "°", 0.1), number("heading.error", U8, "°", 0.1), axes("output", S16, "%", 0.01),
-    number("calibration", U8), number("can.error", U8), axes("actual", S16, "°", kDegreesPerCount), number("state", U32), reserved(18)};
+    word("calibration", U8, kCalibModes), number("can.error", U8), axes("actual", S16, "°", kDegreesPerCount),
+    flags("state", U32, kStateFlags), reserved(18)};
 constexpr FieldSpec kSelectImu[] = {word("imu", U8, kTwoImus), number("action", U8), number("time", U16, "ms"), reserved(8)};
-constexpr FieldSpec kMotor[] = {number("motor", U8)};
+constexpr FieldSpec kMotor[] = {word("motor", U8, kMotorNames)};
 constexpr FieldSpec kFieldOffset[] = {axes("angle", S16, "°", kDegreesPerCount), axes("speed", S16, "°/s", kGyroUnit), number("flags", U16)};
 constexpr FieldSpec kNames[] = {text("name1", 48), text("name2", 48), text("name3", 48), text("name4", 48), text("name5", 48)};
 constexpr FieldSpec kVariable[] = {number("id", U8), number("value", S32)};
@@ -274,8 +280,8 @@ constexpr MessageSpec kMessages[] = {
     {23, "REALTIME_DATA_3", kNone, kRealtime3, kFrame, kSafe, 0, 0, true, "Monitor"},
     {24, "SELECT_IMU_3", kSelectImu, kNo, kConfirm, kSafe, 0, 1, true, "Actions (imu.select)"},
     {25, "REALTIME_DATA_4", kNone, kRealtime4, kFrame, kSafe, 0, 0, true, "Monitor"},
-    {26, "ENCODERS_CALIB_OFFSET_4", kMotor, kNo, kConfirm, kWrites, kLater, 0},
-    {27, "ENCODERS_CALIB_FLD_OFFSET_4", kFieldOffset, kNo, kConfirm, kWrites, kLater, 0},
+    {26, "ENCODERS_CALIB_OFFSET_4", kMotor, kNo, kConfirm, kWrites, kLater, 0, true, "Actions (calibrate.encoder_offset)"},
+    {27, "ENCODERS_CALIB_FLD_OFFSET_4", kFieldOffset, kNo, kConfirm, kWrites, kLater, 0, true, "Actions (calibrate.encoder_field)"},
     {28, "READ_PROFILE_NAMES", kNone, kNames, kFrame, kSafe, 0, 0, true, "Profiles"},
     {29, "WRITE_PROFILE_NAMES", kNames, kNo, kConfirm, kWrites, 0, 240, true, "Profiles"},
     {30, "GET_PARAMS_3", kNone, kNo, kNothing, kSafe, 0, 0},
@@ -307,7 +313,7 @@ constexpr MessageSpec kMessages[] = {
     {56, "AHRS_HELPER", kAhrsAsk, kAhrs, kFrame, kMoves, 0, 1, true, "Monitor, Actions (attitude, feed)"},
     {57, "RUN_SCRIPT", kRunScript, kNo, kConfirm, kMoves, 0, 34, true, "Actions (script)"},
     {58, "SCRIPT_DEBUG", kNo, kScriptDebug, kNothing, kSafe, 0},
-    {59, "CALIB_MAG", kCalibration, kNo, kConfirm, kWrites, 0, 0},
+    {59, "CALIB_MAG", kCalibration, kNo, kConfirm, kWrites, 0, 0, true, "Actions (calibrate.magnetometer)"},
     hidden(60, "UART_BYPASS"),
     {61, "GET_ANGLES_EXT", kNone, kAnglesExt, kFrame, kSafe, 0, 0, true, "Actions (angles)"},
     {62, "READ_PARAMS_EXT2", kProfile, kBlock, kFrame, kSafe, 0, 1, true, "Parameters"},
@@ -319,7 +325,7 @@ constexpr MessageSpec kMessages[] = {
     {68, "REALTIME_DATA", kNone, kNo, kFrame, kSafe, 0, 0, true, "", 23},
     {69, "EXECUTE_MENU", kMenu, kNo, kConfirm, kWrites, 0, 1, true, "Control, Profiles, Actions (menu)"},
     {70, "USE_DEFAULTS", kDefaults, kNo, kConfirm, kDestroys, 0, 1, true, "Actions (defaults)"},
-    {71, "CALIB_EXT_GAIN", kNone, kNo, kConfirm, kWrites, 0, 0},
+    {71, "CALIB_EXT_GAIN", kNone, kNo, kConfirm, kWrites, 0, 0, true, "Actions (calibrate.fc_gain)"},
     {72, "HELPER_DATA", kHelper, kNo, kNothing, kMoves, 0, 10, true, "Actions (feed)"},
     {73, "GET_ANGLES", kNone, kAngles, kFrame, kSafe, 0, 0, true, "Actions (angles)"},
     {74, "CALIB_MOTOR_MAG_LINK", kNone, kNo, kConfirm, kWrites, 0, 0, true, "Actions (calibrate.magnetic_link)"},

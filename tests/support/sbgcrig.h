@@ -13,7 +13,11 @@ struct SbgcRig : VirtualBoard
     using Texts = QMap<QString, QString>;
 
     explicit SbgcRig(int firmware = 2704, std::optional<LineSettings> line = {})
-        : VirtualBoard(withFirmware(firmware), line)
+        : SbgcRig(withFirmware(firmware), line)
+    {
+    }
+    explicit SbgcRig(const SimulatorOptions &options, std::optional<LineSettings> line = {})
+        : VirtualBoard(options, line)
     {
         if (!identify())
             qFatal("no board");

@@ -106,6 +106,7 @@ bool addSimpleBgc(Texts &texts)
     }
     SimulatorOptions options;
     options.firmware = simplebgc::Device::kNewestFirmware;
+    options.own = {{u"encoders"_s, 1}, {u"magnetometer"_s, 1}};  // with all that it can do
     VirtualBoard board(options);
     if (!board.identify())
         return false;

@@ -534,6 +534,12 @@ QString describe(const Progress &progress)
         return Words::tr("Measuring");
     if (progress.step == u"calibrate-motors"_s)
         return Words::tr("The board turns the motors and measures them");
+    if (progress.step == u"calibrate-encoders"_s)
+        return Words::tr("The board reads its encoders: leave the camera as it stands");
+    if (progress.step == u"calibrate-frame"_s)
+        return Words::tr("Tilt the frame by hand to all sides");
+    if (progress.step == u"calibrate-magnetometer"_s)
+        return Words::tr("Turn the camera in all directions: %1 of 8 are seen").arg(progress.done);
     if (progress.step == u"read-memory"_s)
         return Words::tr("Reading the board's memory");
     if (progress.step == u"write-memory"_s)
