@@ -59,6 +59,7 @@ private slots:
     void measuresByMoving();
     void doAction();
     void calibrate();
+    void encodersAreCalibrated();
     void autotune();
     void steer();
     void rawCommandsAreAnswered();
@@ -442,6 +443,23 @@ void TestCtl::calibrate()
     QVERIFY(reply.value(u"confirmed"_s).toBool());
     QVERIFY(reply.value(u"gyro.bias.before"_s).toDouble() > 1.0);
     QVERIFY(reply.value(u"gyro.bias.after"_s).toDouble() < 1.0);
+}
+
+// Motors whose fields were never found may run away meanwhile: they are off before.
+void TestCtl::encodersAreCalibrated()
+{
+    const SimProcess simulator({u"--tcp"_s, u"0"_s, u"--firmware"_s, u"2.73.0"_s, u"--encoders"_s, u"new"_s});
+    const QStringList link{u"--link"_s, simulator.address(), u"--json"_s};
+    QCOMPARE(ctl(link + QStringList{u"motors"_s, u"off"_s}, false).exitCode, 0);
+    const QStringList calibrate{u"calibrate"_s, u"encoder_field"_s, u"angle=10"_s, u"speed=40"_s};
+    QCOMPARE(ctl(link + calibrate, false).exitCode, 2);  // it asks before it turns them
+    const Run run = ctl(link + calibrate + QStringList{u"--confirmed"_s}, false);
+    QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+    const auto reply = run.json().object().value(u"reply"_s).toObject();
+    QCOMPARE(reply.value(u"encoder.roll.field_offset.before"_s).toDouble(), 0.0);
+    QVERIFY(std::abs(reply.value(u"encoder.roll.field_offset"_s).toDouble() - 9.18) < 0.01);
+    const Run read = ctl(link + QStringList{u"get"_s, u"encoder.roll.field_offset"_s}, false);
+    QVERIFY2(read.out.contains(u"9.18"_s), qPrintable(read.out));
 }
 
 void TestCtl::autotune()
