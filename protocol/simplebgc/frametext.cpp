@@ -80,8 +80,13 @@ QString fieldsText(int id, Bytes payload, bool fromBoard)
     if (!fields)
         return {};
     QStringList parts;
-    for (const FieldValue &value : decodeFields(*fields, payload))
-        parts.append(value.name + u' ' + value.text());
+    for (const FieldValue &value : decodeFields(*fields, payload)) {
+        const bool isFlag = value.bits && value.bits->count == 1;
+        if (!isFlag)
+            parts.append(value.name + u' ' + value.text());
+        else if (value.number != 0)
+            parts.append(value.name);
+    }
     return parts.join(u", "_s);
 }
 

@@ -9,7 +9,9 @@
 #include <QHash>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 using namespace Qt::StringLiterals;
@@ -32,6 +34,7 @@ int sizeOf(FieldType type)
     case FieldType::U32:
     case FieldType::S32:
     case FieldType::F32: return 4;
+    case FieldType::Quaternion: return 8;
     case FieldType::Bytes:
     case FieldType::Text:
     case FieldType::Group: break;
@@ -103,63 +106,164 @@ QString elementName(const FieldSpec &field, int element)
         name = isGroup ? axisName(std::size_t(element)) : name + u'.' + axisName(std::size_t(element));
         break;
     case Elements::Xyz: name += u'.' + QString(QChar(u'x' + element)); break;
+    case Elements::Wxyz: name += u'.' + QString(QChar(u'w' + element)); break;
     case Elements::Numbered: name += QString::number(element + 1); break;
     }
     return isGroup && !name.isEmpty() ? name + u'.' : name;
 }
 
+// What fields have said that others depend on.
+using Told = QHash<QString, std::uint32_t>;
+
+/// Where a field stands.
+struct Place
+{
+    QString name;
+    bool isOpen = false;  ///< part of what repeats as often as there is room
+    bool isChosen = false;  ///< it is there because another field says so
+};
+
 // Walks over the fields in the order of the wire, one element after the other, as long as the visitor wants.
 class Walk
 {
 public:
-    /// @param isOpen it is part of what repeats as often as there is room
-    using Visitor = std::function<bool(const FieldSpec &, const QString &name, bool isOpen)>;
+    using Visitor = std::function<bool(const FieldSpec &, const Place &)>;
 
-    /// @param once what repeats without end comes once
-    explicit Walk(Visitor visitor, bool once = false)
-        : m_visitor(std::move(visitor))
-        , m_once(once)
+    /// @param told where the visitor notes what it finds; null: all fields that there can be, each once
+    Walk(const Told *told, Visitor visitor)
+        : m_told(told)
+        , m_visitor(std::move(visitor))
     {
     }
 
-    bool fields(Fields fields, const QString &prefix = {}, bool isOpen = false)
+    bool fields(Fields fields, const Place &place = {}, int element = 0)
     {
         return std::all_of(fields.begin(), fields.end(),
-                           [&](const FieldSpec &field) { return one(field, prefix, isOpen); });
+                           [&](const FieldSpec &field) { return one(field, place, element); });
     }
 
 private:
-    bool one(const FieldSpec &field, const QString &prefix, bool isOpen)
+    [[nodiscard]] bool isThere(const FieldSpec &field, const QString &prefix, int element) const
     {
-        if (isBytes(field.type))
-            return m_visitor(field, prefix + QLatin1String(field.name), isOpen);
+        if (!field.when.isThere || !m_told)
+            return true;
+        const QString name = QLatin1String(field.when.field);
+        const auto beside = m_told->constFind(prefix + name);
+        const auto told = beside != m_told->constEnd() ? beside : m_told->constFind(name);
+        return told != m_told->constEnd() && field.when.isThere(*told, element);
+    }
+
+    bool one(const FieldSpec &field, const Place &place, int element)
+    {
+        // Of a group that repeats each element is there by itself.
+        const bool isSingle = field.count == 1 && field.elements == Elements::One;
+        const bool isGroup = field.type == FieldType::Group;
+        const bool isAskedEach = isGroup && !isSingle;
+        if (!isAskedEach && !isThere(field, place.name, element))
+            return true;
+        const bool isChosen = place.isChosen || field.when.isThere != nullptr;
+        if (isBytes(field.type) || field.type == FieldType::Quaternion)
+            return visit(field, {place.name + QLatin1String(field.name), place.isOpen, isChosen});
         const bool isEndless = field.count == 0;
-        for (int i = 0; isEndless ? !m_once || i == 0 : i < field.count; ++i) {
-            const QString name = prefix + elementName(field, i);
-            const bool goesOn = field.type == FieldType::Group
-                ? fields(field.inner, name, isOpen || isEndless)
-                : m_visitor(field, name, isOpen || isEndless);
-            if (!goesOn)
+        for (int i = 0; isEndless ? m_told || i == 0 : i < field.count; ++i) {
+            const Place inside{place.name + elementName(field, i), place.isOpen || isEndless, isChosen};
+            const int before = m_visits;
+            if (isAskedEach && !isThere(field, place.name, i) && !isEndless)
+                continue;
+            if (isGroup ? !fields(field.inner, inside, isSingle ? element : i) : !visit(field, inside))
                 return false;
+            if (isEndless && m_visits == before)
+                break;  // nothing of it is there
         }
         return true;
     }
 
+    bool visit(const FieldSpec &field, const Place &place)
+    {
+        ++m_visits;
+        return m_visitor(field, place);
+    }
+
+    const Told *m_told;
     Visitor m_visitor;
-    bool m_once;
+    int m_visits = 0;
 };
+
+// What other fields may depend on; nothing depends on a float, which need not be a number.
+std::uint32_t wholeOf(const FieldSpec &field, double raw)
+{
+    return field.type == FieldType::F32 ? 0 : std::uint32_t(std::int64_t(raw));
+}
+
+std::uint32_t maskOf(const BitsSpec &bits)
+{
+    return (1U << unsigned(bits.count)) - 1;
+}
+
+// Errata 3.24: the largest of w, x, y, z is left out, the others have 19 bits and a sign.
+constexpr double kQuaternionScale = 741453.786;
+constexpr std::uint64_t kQuaternionMask = (1U << 19U) - 1;
+constexpr unsigned kQuaternionLargest = 60;
+constexpr std::array<const char *, 4> kQuaternionParts{".w", ".x", ".y", ".z"};
+
+std::array<double, 4> unpack(std::uint64_t word)
+{
+    std::array<double, 4> parts{};
+    const std::size_t largest = word >> kQuaternionLargest & 3U;
+    unsigned at = 0;
+    double squares = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (i == largest)
+            continue;
+        const double size = double(word >> at & kQuaternionMask) / kQuaternionScale;
+        parts[i] = word >> (at + 19) & 1U ? -size : size;
+        squares += size * size;
+        at += 20;
+    }
+    parts[largest] = std::sqrt(std::max(0.0, 1 - squares)) * (word >> 62U & 1U ? -1 : 1);
+    return parts;
+}
+
+std::uint64_t pack(const std::array<double, 4> &parts)
+{
+    const auto isSmaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
+    const auto largest = std::size_t(std::max_element(parts.begin(), parts.end(), isSmaller) - parts.begin());
+    std::uint64_t word = std::uint64_t(largest) << kQuaternionLargest;
+    word |= std::uint64_t(std::signbit(parts[largest])) << 62U;
+    unsigned at = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (i == largest)
+            continue;
+        const auto size = std::uint64_t(std::llround(std::abs(parts[i]) * kQuaternionScale));
+        word |= std::min(size, kQuaternionMask) << at;
+        word |= std::uint64_t(std::signbit(parts[i])) << (at + 19);
+        at += 20;
+    }
+    return word;
+}
+
+// A word of the list, or a number.
+Result<double> valueOf(std::span<const Choice> words, const QString &name, const QString &text)
+{
+    for (const Choice &choice : words) {
+        if (text.compare(QLatin1String(choice.name), Qt::CaseInsensitive) == 0)
+            return choice.value;
+    }
+    bool ok = false;
+    double value = text.toDouble(&ok);
+    if (!ok)
+        value = double(text.toLongLong(&ok, 0));  // 0x10
+    if (!ok || !std::isfinite(value))
+        return failure(ErrorCode::InvalidArgument, u"%1: '%2' is not a number"_s.arg(name, text));
+    return value;
+}
 
 Result<double> numberOf(const FieldSpec &field, const QString &name, const QString &text)
 {
-    const auto named = std::find_if(field.words.begin(), field.words.end(), [&text](const Choice &choice) {
-        return text.compare(QLatin1String(choice.name), Qt::CaseInsensitive) == 0;
-    });
-    bool ok = false;
-    double value = named != field.words.end() ? named->value : text.toDouble(&ok);
-    if (named == field.words.end() && !ok)
-        value = double(text.toLongLong(&ok, 0));  // 0x10
-    if (named == field.words.end() && (!ok || !std::isfinite(value)))
-        return failure(ErrorCode::InvalidArgument, u"%1: '%2' is not a number"_s.arg(name, text));
+    const auto read = valueOf(field.words, name, text);
+    if (!read)
+        return read;
+    const double value = *read;
     const double raw = field.type == FieldType::F32 ? value / field.scale : std::round(value / field.scale);
     const auto [low, high] = limits(field.type);
     if (raw < low || raw > high)
@@ -220,9 +324,10 @@ QString FieldValue::text() const
     if (isText())
         return QString::fromUtf8(bytes);
     // One digit more than the field resolves.
-    const int decimals = spec->type == FieldType::F32 ? 4
-        : spec->scale >= 1                            ? 0
-                           : std::clamp(int(std::ceil(-std::log10(spec->scale))), 1, 6);
+    const bool isReal = spec->type == FieldType::F32 || spec->type == FieldType::Quaternion;
+    const int decimals = isReal ? 4
+        : spec->scale >= 1      ? 0
+                                : std::clamp(int(std::ceil(-std::log10(spec->scale))), 1, 6);
     QString shown = QString::number(number, 'f', decimals);
     if (*spec->unit) {
         const QString unit = QString::fromUtf8(spec->unit);
@@ -237,17 +342,20 @@ QString FieldValue::text() const
         return set.isEmpty() ? shown : u"%1 (%2)"_s.arg(shown, set.join(u", "_s));
     }
     const auto word = std::find_if(spec->words.begin(), spec->words.end(), [this](const Choice &choice) {
+    const std::span<const Choice> words = bits ? bits->words : spec->words;
+    const auto word = std::find_if(words.begin(), words.end(), [this](const Choice &choice) {
         return choice.value == int(std::lround(number));
     });
-    return word == spec->words.end() ? shown : u"%1 (%2)"_s.arg(shown, QLatin1String(word->name));
+    return word == words.end() ? shown : u"%1 (%2)"_s.arg(shown, QLatin1String(word->name));
 }
 
 std::vector<FieldValue> decodeFields(Fields fields, Bytes payload)
 {
     std::vector<FieldValue> values;
     ByteReader reader(payload);
-    Walk walk([&](const FieldSpec &field, const QString &name, bool) {
-        FieldValue value{name, &field};
+    Told told;
+    Walk walk(&told, [&](const FieldSpec &field, const Place &place) {
+        FieldValue value{place.name, &field};
         if (isBytes(field.type)) {
             const std::size_t size = field.type == FieldType::Sized ? reader.u8()
                 : field.count > 0                                   ? std::size_t(field.count)
@@ -263,8 +371,26 @@ std::vector<FieldValue> decodeFields(Fields fields, Bytes payload)
         }
         if (reader.remaining() < std::size_t(sizeOf(field.type)))
             return false;
-        value.number = readNumber(field.type, reader) * field.scale;
-        values.push_back(value);
+        if (field.type == FieldType::Quaternion) {
+            const std::uint64_t low = reader.u32();
+            const auto parts = unpack(low | std::uint64_t(reader.u32()) << 32U);
+            for (std::size_t i = 0; i < parts.size(); ++i)
+                values.push_back({place.name + QLatin1String(kQuaternionParts[i]), &field, parts[i]});
+            return true;
+        }
+        const double raw = readNumber(field.type, reader);
+        const std::uint32_t whole = wholeOf(field, raw);
+        told.insert(place.name, whole);
+        for (const BitsSpec &bits : field.bits) {
+            values.push_back({place.name + u'.' + QLatin1String(bits.name),
+                              &field,
+                              double(whole >> unsigned(bits.first) & maskOf(bits)),
+                              {},
+                              &bits});
+        }
+        value.number = raw * field.scale;
+        if (field.bits.empty())
+            values.push_back(value);
         return true;
     });
     walk.fields(fields);
@@ -274,72 +400,177 @@ std::vector<FieldValue> decodeFields(Fields fields, Bytes payload)
 QStringList fieldNames(Fields fields)
 {
     QStringList names;
-    Walk walk(
-        [&names](const FieldSpec &field, const QString &name, bool) {
-            if (*field.name)
-                names.append(name);
-            return true;
-        },
-        true);
+    const auto add = [&names](const QString &name) {
+        if (!names.contains(name))
+            names.append(name);
+    };
+    Walk walk(nullptr, [&add](const FieldSpec &field, const Place &place) {
+        for (const BitsSpec &bits : field.bits)
+            add(place.name + u'.' + QLatin1String(bits.name));
+        if (field.type == FieldType::Quaternion) {
+            for (const char *part : kQuaternionParts)
+                add(place.name + QLatin1String(part));
+        } else if (*field.name && field.bits.empty()) {
+            add(place.name);
+        }
+        return true;
+    });
     walk.fields(fields);
     return names;
 }
 
+namespace {
+
+/// Words "name=value" that are taken one after the other.
+class Given
+{
+public:
+    explicit Given(Fields fields)
+        : m_fields(fields)
+    {
+    }
+
+    Result<void> read(const QStringList &words)
+    {
+        for (const QString &word : words) {
+            const qsizetype equals = word.indexOf(u'=');
+            const QString name = word.left(equals);
+            if (equals < 1)
+                return failure(ErrorCode::InvalidArgument,
+                               u"'%1' is not name=value; the fields are %2"_s.arg(word, names()));
+            if (m_words.contains(name))
+                return failure(ErrorCode::InvalidArgument, u"%1 is given twice"_s.arg(name));
+            m_words.insert(name, word.mid(equals + 1));
+        }
+        return {};
+    }
+
+    [[nodiscard]] bool isEmpty() const { return m_words.isEmpty(); }
+    [[nodiscard]] QStringList left() const { return m_words.keys(); }
+    [[nodiscard]] QString names() const { return fieldNames(m_fields).join(u", "_s); }
+    [[nodiscard]] Error missing(const QString &name) const
+    {
+        return {ErrorCode::InvalidArgument, u"%1 is missing; the fields are %2"_s.arg(name, names()), 0};
+    }
+
+    /// Whether anything of it is given.
+    [[nodiscard]] bool has(const FieldSpec &field, const QString &name) const
+    {
+        const auto hasPart = [&](const char *part) { return m_words.contains(name + QLatin1String(part)); };
+        if (field.type == FieldType::Quaternion)
+            return std::any_of(kQuaternionParts.begin(), kQuaternionParts.end(), hasPart);
+        return m_words.contains(name)
+            || std::any_of(field.bits.begin(), field.bits.end(), [&](const BitsSpec &bits) {
+                   return m_words.contains(name + u'.' + QLatin1String(bits.name));
+               });
+    }
+
+    QString take(const QString &name) { return m_words.take(name); }
+
+    Result<double> takeNumber(const FieldSpec &field, const QString &name)
+    {
+        if (field.bits.empty() || m_words.contains(name))
+            return numberOf(field, name, take(name));
+        std::uint32_t whole = 0;
+        for (const BitsSpec &bits : field.bits) {
+            const QString part = name + u'.' + QLatin1String(bits.name);
+            if (!m_words.contains(part))
+                continue;
+            const auto value = valueOf(bits.words, part, take(part));
+            if (!value)
+                return value;
+            if (*value < 0 || *value > maskOf(bits))
+                return failure(ErrorCode::OutOfRange,
+                               u"%1: %2 is not within 0 .. %3"_s.arg(part).arg(*value).arg(maskOf(bits)));
+            whole |= std::uint32_t(std::lround(*value)) << unsigned(bits.first);
+        }
+        return whole;
+    }
+
+    Result<std::uint64_t> takeQuaternion(const QString &name)
+    {
+        std::array<double, 4> parts{};
+        double squares = 0;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const QString part = name + QLatin1String(kQuaternionParts[i]);
+            if (!m_words.contains(part))
+                return tl::unexpected(missing(part));
+            const auto value = valueOf({}, part, take(part));
+            if (!value)
+                return tl::unexpected(value.error());
+            parts[i] = *value;
+            squares += *value * *value;
+        }
+        constexpr double kMostOff = 0.01;
+        if (std::abs(squares - 1) > kMostOff)
+            return failure(ErrorCode::OutOfRange,
+                           u"%1: the length of a rotation is 1, not %2"_s.arg(name).arg(std::sqrt(squares)));
+        for (double &part : parts)
+            part /= std::sqrt(squares);
+        return pack(parts);
+    }
+
+private:
+    Fields m_fields;
+    QHash<QString, QString> m_words;
+};
+
+// One field behind the others; nothing: it need not be there, and nothing behind it.
+Result<bool> write(ByteWriter &writer, Told &told, Given &given, const FieldSpec &field, const Place &place)
+{
+    const bool isGiven = given.has(field, place.name);
+    if (!isGiven && *field.name) {
+        if (place.isOpen)
+            return false;  // there are no more of them
+        if (field.count == 0)
+            return true;  // bytes that may be none
+        return tl::unexpected(given.missing(place.name));
+    }
+    if (isBytes(field.type)) {
+        const auto bytes = bytesOf(field, place.name, isGiven ? given.take(place.name) : QString());
+        if (!bytes)
+            return tl::unexpected(bytes.error());
+        writer.bytes(*bytes);
+    } else if (field.type == FieldType::Quaternion) {
+        const auto word = given.takeQuaternion(place.name);
+        if (!word)
+            return tl::unexpected(word.error());
+        writer.u32(std::uint32_t(*word)).u32(std::uint32_t(*word >> 32U));
+    } else {
+        const auto raw = given.takeNumber(field, place.name);
+        if (!raw)
+            return tl::unexpected(raw.error());
+        told.insert(place.name, wholeOf(field, *raw));
+        writeNumber(field.type, *raw, writer);
+    }
+    return writer.size() <= kLargestPayload;
+}
+
+}  // namespace
+
 Result<QByteArray> encodeFields(Fields fields, const QStringList &words, int least)
 {
-    QHash<QString, QString> given;
-    for (const QString &word : words) {
-        const qsizetype equals = word.indexOf(u'=');
-        const QString name = word.left(equals);
-        if (equals < 1 || given.contains(name))
-            return failure(ErrorCode::InvalidArgument,
-                           equals < 1 ? u"'%1' is not name=value; the fields are %2"_s.arg(
-                               word, fieldNames(fields).join(u", "_s))
-                                      : u"%1 is given twice"_s.arg(name));
-        given.insert(name, word.mid(equals + 1));
-    }
+    Given given(fields);
+    if (const auto read = given.read(words); !read)
+        return tl::unexpected(read.error());
     ByteWriter writer;
+    Told told;
     std::optional<Error> error;
-    Walk walk([&](const FieldSpec &field, const QString &name, bool isOpen) {
-        if (given.isEmpty() && writer.size() == least)
+    Walk walk(&told, [&](const FieldSpec &field, const Place &place) {
+        if (given.isEmpty() && writer.size() == least && !place.isChosen)
             return false;  // the short form
-        const auto text = given.constFind(name);
-        const bool isGiven = text != given.constEnd();
-        if (!isGiven && *field.name) {
-            if (isOpen)
-                return false;  // there are no more of them
-            if (field.count == 0)
-                return true;  // bytes that may be none
-            error
-                = Error{ErrorCode::InvalidArgument,
-                        u"%1 is missing; the fields are %2"_s.arg(name, fieldNames(fields).join(u", "_s)), 0};
-            return false;
-        }
-        if (isBytes(field.type)) {
-            const auto bytes = bytesOf(field, name, isGiven ? *text : QString());
-            if (!bytes) {
-                error = bytes.error();
-                return false;
-            }
-            writer.bytes(*bytes);
-        } else {
-            const auto raw = numberOf(field, name, *text);
-            if (!raw) {
-                error = raw.error();
-                return false;
-            }
-            writeNumber(field.type, *raw, writer);
-        }
-        given.remove(name);
-        return writer.size() <= kLargestPayload;
+        const auto goesOn = write(writer, told, given, field, place);
+        if (!goesOn)
+            error = goesOn.error();
+        return goesOn && *goesOn;
     });
     walk.fields(fields);
     if (error)
         return tl::unexpected(*error);
     if (!given.isEmpty())
         return failure(ErrorCode::InvalidArgument,
-                       u"there is no field '%1' here; the fields are %2"_s.arg(
-                           QStringList(given.keys()).join(u"', '"_s), fieldNames(fields).join(u", "_s)));
+                       u"there is no field '%1' here; the fields are %2"_s.arg(given.left().join(u"', '"_s),
+                                                                               given.names()));
     if (writer.size() > kLargestPayload)
         return failure(ErrorCode::OutOfRange, u"a frame holds %1 payload bytes"_s.arg(kLargestPayload));
     return writer.take();

@@ -24,14 +24,33 @@ enum class FieldType : std::uint8_t {
     U32,
     S32,
     F32,
+    Quaternion,  ///< w, x, y and z in 8 bytes (errata 3.24)
     Bytes,  ///< as many as `count` says, 0: the rest. Without a name they are reserved: sent as zeros
     Text,  ///< UTF-8 in so many bytes, padded with zeros
     Sized,  ///< u8 length, then as many characters
     Group,  ///< the fields in `inner`, `count` times, 0: as often as they fit
 };
 
-/// What the elements of a field are called: "speed" is "speed", "speed.roll", "speed.x" or "speed1".
-enum class Elements : std::uint8_t { One, Axes, Xyz, Numbered };
+/// What the elements of a field are called: "speed" is "speed", "speed.roll", "speed.x", "speed.w" or
+/// "speed1".
+enum class Elements : std::uint8_t { One, Axes, Xyz, Wxyz, Numbered };
+
+/// Some bits of a field: a flag, or a number of its own.
+struct BitsSpec
+{
+    const char *name = "";  ///< behind that of the field
+    int first = 0;
+    int count = 1;
+    std::span<const Choice> words{};
+};
+
+/// Whether a field is there, as a field in front of it tells.
+struct Presence
+{
+    const char *field = "";  ///< in the same group, or outside of it
+    /// Null: always. @param element of the nearest group that repeats, from 0
+    bool (*isThere)(std::uint32_t told, int element) = nullptr;
+};
 
 /// One field of a payload.
 struct FieldSpec
@@ -45,6 +64,8 @@ struct FieldSpec
     std::span<const Choice> words{};  ///< of its numbers
     std::span<const FieldSpec> inner{};
     bool isFlags = false;  ///< the words are of its bits
+    std::span<const BitsSpec> bits{};  ///< what it is made of; none: one number
+    Presence when{};
 };
 
 using Fields = std::span<const FieldSpec>;
@@ -83,19 +104,24 @@ struct FieldValue
     const FieldSpec *spec = nullptr;
     double number = 0;  ///< in the field's unit
     QByteArray bytes = {};  ///< of Bytes, Text and Sized
+    const BitsSpec *bits = nullptr;  ///< it is this part of the field
 
     [[nodiscard]] bool isText() const;
     /// "16 (AUX1)", "12.50°".
     [[nodiscard]] QString text() const;
 };
 
-/// The fields of a payload, as many as it holds whole; reserved ones are left out.
+/// The fields of a payload, as many as it holds whole; reserved ones are left out. Of a field that is made of
+/// bits come its parts.
 [[nodiscard]] std::vector<FieldValue> decodeFields(Fields fields, Bytes payload);
 
-/// The names of the fields; where they repeat as often as they fit, those of the first.
+/// The names of the fields, also of those that are there only with others; where they repeat as often as they
+/// fit, those of the first.
 [[nodiscard]] QStringList fieldNames(Fields fields);
 
-/// A payload from words "name=value". What is not named behind the last field that is need not be there.
+/// A payload from words "name=value". What is not named behind the last field that is need not be there,
+/// unless another field says that it is. Bits are given by their parts, of which those that are not named are
+/// 0, or as one number.
 /// @param least bytes that it has to have. Errors: InvalidArgument with the names; OutOfRange.
 [[nodiscard]] Result<QByteArray> encodeFields(Fields fields, const QStringList &words, int least);
 

@@ -77,6 +77,47 @@ constexpr FieldSpec perAxis(std::span<const FieldSpec> inner)
     return group("", inner, 3, Elements::Axes);
 }
 
+// Made of bits that have names of their own.
+constexpr FieldSpec parts(const char *name, FieldType type, std::span<const BitsSpec> bits)
+{
+    return {name, type, 1, Elements::One, "", 1, {}, {}, bits};
+}
+
+constexpr FieldSpec quaternion(const char *name)
+{
+    return {name, F32, 4, Elements::Wxyz};
+}
+
+constexpr FieldSpec packed(const char *name)
+{
+    return {name, Quaternion};
+}
+
+// --- what is there only if another field says so ---
+
+using IsThere = bool (*)(std::uint32_t told, int element);
+
+constexpr FieldSpec when(const char *other, IsThere isThere, FieldSpec field)
+{
+    field.when = {other, isThere};
+    return field;
+}
+
+constexpr FieldSpec when(const char *other, IsThere isThere, std::span<const FieldSpec> fields)
+{
+    return when(other, isThere, group("", fields, 1, Elements::One));
+}
+
+template <unsigned Bit> constexpr bool hasBit(std::uint32_t told, int)
+{
+    return told >> Bit & 1U;
+}
+
+template <unsigned Bit> constexpr bool lacksBit(std::uint32_t told, int)
+{
+    return !hasBit<Bit>(told, 0);
+}
+
 // clang-format off
 
 // ---- words ----
@@ -88,10 +129,15 @@ constexpr Choice kCalibrations[] = {{1, "normal"}, {2, "reset all"}, {3, "temper
 constexpr Choice kParamsSet[] = {{0, "finish"}, {1, "start"}};
 constexpr Choice kStops[] = {{0, "free"}, {1, "brake"}, {2, "safe stop"}};
 constexpr Choice kRunDelete[] = {{1, "run"}, {2, "delete"}};
-constexpr Choice kTune2Actions[] = {{1, "start"}, {2, "start and save"}, {3, "save"}, {5, "stop"}, {6, "read"}};
-constexpr Choice kQuatModes[] = {{0, "off"}, {1, "speed"}, {2, "attitude"}, {5, "speed and attitude"}, {9, "limited speed"}};
+constexpr Choice kTune2Actions[] = {{1, "start"}, {2, "start-and-save"}, {3, "save"}, {5, "stop"}, {6, "read"}};
+constexpr Choice kQuatModes[] = {{0, "off"}, {1, "speed"}, {2, "attitude"}, {5, "speed-and-attitude"}, {9, "limited-speed"}};
+constexpr Choice kControlModes[] = {{0, "none"}, {1, "speed"}, {2, "angle"}, {3, "speed-and-angle"}, {4, "rc"}, {5, "frame-angle"},
+    {6, "fine-rc"}, {7, "ignore"}, {8, "shortest-angle"}};
+constexpr Choice kReferences[] = {{0, "none"}, {1, "internal"}, {2, "external"}, {3, "translated"}};
+constexpr Choice kExternalStates[] = {{0, "off"}, {1, "not connected"}, {2, "unknown"}, {3, "error"}, {4, "bad"}, {5, "coarse"}, {6, "good"}, {7, "fine"}};
+constexpr Choice kExtModes[] = {{0, "position"}, {1, "speed"}, {2, "torque"}};
+constexpr Choice kExtStates[] = {{0, "off, brake"}, {1, "on"}, {2, "off, free"}, {3, "off, safe"}};
 constexpr Choice kMotorActions[] = {{1, "off, free"}, {2, "off, brake"}, {3, "off, safe"}, {4, "on"}, {5, "home"}, {6, "search home"}};
-constexpr Choice kSetPoints[] = {{0, "32-bit set-point"}, {1, "16-bit parameter"}, {2, "32-bit parameter"}};
 constexpr Choice kEvents[] = {{1, "menu button"}, {2, "motor state"}, {3, "emergency stop"}, {4, "camera"}, {5, "script"}, {6, "retracted"}};
 constexpr Choice kCoordinates[] = {{1, "ground, turned by yaw"}, {2, "ground"}, {3, "frame"}};
 constexpr Choice kDebugTypes[] = {{1, "u8"}, {2, "i8"}, {3, "u16"}, {4, "i16"}, {5, "u32"}, {6, "i32"}, {7, "f32"}};
@@ -212,16 +258,34 @@ constexpr FieldSpec kCanDevices[] = {group("device", kCanDevice, 0)};
 constexpr FieldSpec kRcAsk[] = {number("flags", U16), list("source", U8, 0, "", 1, kSignalSources)};
 constexpr FieldSpec kRcInputs[] = {list("input", S16, 0)};
 constexpr FieldSpec kEvent[] = {word("event", U8, kEvents), number("type", U8), bytes("parameter", 2), rest("more")};
+constexpr BitsSpec kSourceBits[] = {{"attitude", 0, 3, kReferences}, {"heading", 3, 3, kReferences}, {"present", 6}, {"processing", 7}};
+constexpr BitsSpec kExternalBits[] = {{"state", 0, 3, kExternalStates}, {"bad_magnetometer", 6}, {"no_gps", 7}};
 constexpr FieldSpec kAhrsDebug[] = {
-    number("main.source", U8), number("frame.source", U8), list("error", U8, 4, "°", 0.1), number("status", U8), number("packets", U16),
-    number("parse.errors", U16), number("heading.error", U8), number("z.error", U8), reserved(13), list("matrix", F32, 9), xyz("acc", F32)};
+    parts("main.source", U8, kSourceBits), parts("frame.source", U8, kSourceBits), number("main.z.error", U8, "°", 0.1),
+    number("main.h.error", U8, "°", 0.1), number("frame.z.error", U8, "°", 0.1), number("frame.h.error", U8, "°", 0.1),
+    parts("external", U8, kExternalBits), number("packets", U16), number("parse.errors", U16), number("heading.error", U8),
+    number("z.error", U8), reserved(13), list("matrix", F32, 9), xyz("acc", F32)};
+constexpr BitsSpec kTune2AxisBits[] = {{"enabled", 0}, {"lpf", 1}, {"notches", 2, 2}};
+constexpr BitsSpec kTune2Bits[] = {
+    {"from_current", 0}, {"all_profiles", 1}, {"gain_only", 2}, {"save", 4}, {"at_start", 14}, {"gain_at_start", 15}};
+constexpr BitsSpec kTune2CommandBits[] = {{"send", 0}};
+constexpr BitsSpec kTune2PositionBits[] = {{"first", 0}, {"second", 1}, {"third", 2}, {"fourth", 3}};
 constexpr FieldSpec kTune2Axis[] = {
-    number("flags", U8), number("gain", U8), number("stimulus", U16), number("effective", U8, "Hz"), number("problem", U8, "Hz"),
+    parts("flags", U8, kTune2AxisBits), number("gain", U8), number("stimulus", U16), number("effective", U8, "Hz"), number("problem", U8, "Hz"),
     number("margin", U8, "dB", 0.1), reserved(6)};
+// The unit of the upper end is not established: 1 or 2 Hz (errata 9).
+constexpr FieldSpec kTune2Settings[] = {
+    number("version", U8), perAxis(kTune2Axis), parts("flags", U16, kTune2Bits), reserved(1), number("from", U8, "Hz", 0.1), number("to", U8),
+    parts("positions", U8, kTune2PositionBits), list("position", S8, 4, "°", 3), reserved(12)};
+constexpr bool isTune2Set(std::uint32_t action, int)
+{
+    return action >= 1 && action <= 3;
+}
 constexpr FieldSpec kTune2[] = {
-    word("action", U8, kTune2Actions), number("command", U16), reserved(8), number("version", U8), perAxis(kTune2Axis),
-    number("flags", U16), reserved(1), number("from", U8, "Hz", 0.1), number("to", U8), number("positions", U8), list("position", S8, 4, "°", 3),
-    reserved(12)};
+    word("action", U8, kTune2Actions), parts("command", U16, kTune2CommandBits), reserved(8), when("action", isTune2Set, kTune2Settings)};
+// That it answers "read" in the same layout is assumed: no text tells.
+constexpr FieldSpec kTune2Told[] = {
+    word("action", U8, kTune2Actions), parts("command", U16, kTune2CommandBits), reserved(8), group("", kTune2Settings, 1, Elements::One)};
 constexpr FieldSpec kMotorsOff[] = {word("how", U8, kStops)};
 constexpr FieldSpec kCommandData[] = {number("command", U8), rest("data")};
 constexpr FieldSpec kStateVars[] = {
@@ -230,24 +294,121 @@ constexpr FieldSpec kStateVars[] = {
     number("energy", F32, "Wh"), number("average.time", U32, "s"), number("average", F32, "A"), reserved(152)};
 constexpr FieldSpec kReset[] = {number("notice", U8), number("delay", U16, "ms")};
 constexpr FieldSpec kWriteSet[] = {word("action", U8, kParamsSet)};
-constexpr FieldSpec kControlExt[] = {number("set", U16), rest("axes")};
+// CONTROL_EXT: five bits of "set" for each axis (errata 3.14).
+template <unsigned Bit> constexpr bool hasAxisBit(std::uint32_t set, int axis)
+{
+    return set >> (5U * unsigned(axis) + Bit) & 1U;
+}
+template <unsigned Bit> constexpr bool lacksAxisBit(std::uint32_t set, int axis)
+{
+    return !hasAxisBit<Bit>(set, axis);
+}
+constexpr bool isAxisSet(std::uint32_t set, int axis)
+{
+    return hasAxisBit<0>(set, axis) || hasAxisBit<1>(set, axis);
+}
+constexpr bool isSignal(std::uint32_t mode, int)
+{
+    return (mode & 0x0FU) == 4 || (mode & 0x0FU) == 6;
+}
+constexpr bool isAngle(std::uint32_t mode, int)
+{
+    return !isSignal(mode, 0);
+}
+constexpr double kFineAngleUnit = 360.0 / (1 << 20);
+constexpr BitsSpec kControlExtBits[] = {
+    {"roll.speed", 0}, {"roll.angle", 1}, {"roll.fine_angle", 2}, {"roll.fine_speed", 3}, {"pitch.speed", 5}, {"pitch.angle", 6},
+    {"pitch.fine_angle", 7}, {"pitch.fine_speed", 8}, {"yaw.speed", 10}, {"yaw.angle", 11}, {"yaw.fine_angle", 12}, {"yaw.fine_speed", 13}};
+constexpr BitsSpec kControlModeBits[] = {{"kind", 0, 4, kControlModes}, {"follow", 4}, {"precise", 5}, {"task", 6}, {"fine", 7}};
+constexpr BitsSpec kControlFlagBits[] = {{"uncorrected", 0}};
+constexpr FieldSpec kWideSpeed[] = {
+    when("set", hasAxisBit<3>, number("speed", S32, "°/s", kFineSpeedUnit))};
+constexpr FieldSpec kNarrowSpeed[] = {
+    when("mode", hasBit<7>, number("speed", S16, "°/s", kFineSpeedUnit)), when("mode", lacksBit<7>, number("speed", S16, "°/s", kControlSpeedUnit))};
+constexpr FieldSpec kSpeedForm[] = {
+    group("", kWideSpeed, 1, Elements::One), when("set", lacksAxisBit<3>, kNarrowSpeed)};
+// In the modes of RC it is a signal, not an angle (errata 3.12).
+constexpr FieldSpec kWideAngle[] = {
+    when("mode", isAngle, number("angle", S32, "°", kFineAngleUnit)), when("mode", isSignal, number("signal", S32))};
+constexpr FieldSpec kNarrowAngle[] = {
+    when("mode", isAngle, number("angle", S16, "°", kDegreesPerCount)), when("mode", isSignal, number("signal", S16))};
+constexpr FieldSpec kAngleForm[] = {when("set", hasAxisBit<2>, kWideAngle), when("set", lacksAxisBit<2>, kNarrowAngle)};
+constexpr FieldSpec kControlExtAxis[] = {
+    parts("mode", U8, kControlModeBits), parts("flags", U8, kControlFlagBits), when("set", hasAxisBit<0>, kSpeedForm),
+    when("set", hasAxisBit<1>, kAngleForm)};
+constexpr FieldSpec kControlExt[] = {parts("set", U16, kControlExtBits), when("set", isAxisSet, perAxis(kControlExtAxis))};
 constexpr FieldSpec kSync[] = {number("axis", U8), number("power", U8), number("time", U16, "ms"), number("angle", U16, "°", kDegreesPerCount)};
 constexpr FieldSpec kDriver[] = {number("driver", U8), number("time", U16, "ms"), rest("data")};
 constexpr FieldSpec kExtAction[] = {number("motors", U8), word("action", U8, kMotorActions)};
-constexpr FieldSpec kExtControl[] = {number("motors", U8), word("set", U8, kSetPoints), rest("values")};
+// The errata (3.23) name what EXT_MOTORS_x and CONTROL_QUAT_x hold in the order of the bits; which bit is which, and the fields of the two
+// that tell a state, are after the public rendering of the specification of 2025 that they cite.
+constexpr BitsSpec kExtMotorBits[] = {{"first", 0}, {"second", 1}, {"third", 2}, {"fourth", 3}, {"fifth", 4}, {"sixth", 5}, {"seventh", 6}, {"confirm", 7}};
+constexpr BitsSpec kExtControlBits[] = {{"wide_target", 0}, {"parameter", 1}, {"wide_parameter", 2}};
+constexpr FieldSpec kExtTarget[] = {
+    when("set", hasBit<0>, number("target", S32)), when("set", lacksBit<0>, number("target", S16)), when("set", hasBit<1>, number("parameter", S16)),
+    when("set", hasBit<2>, number("wide_parameter", S32))};
+constexpr FieldSpec kExtControl[] = {
+    parts("motors", U8, kExtMotorBits), parts("set", U8, kExtControlBits), group("motor", kExtTarget, 0)};
+constexpr BitsSpec kExtConfigBits[] = {{"mode", 0}, {"speed", 1}, {"acceleration", 2}, {"jerk", 3}, {"torque", 4}};
 constexpr FieldSpec kExtConfig[] = {
-    number("motors", U8), number("set", U16), number("mode", U8), number("speed", U16, "°/s", 2), number("acceleration", U16, "°/s²", 2),
-    number("jerk", U16, "ms"), number("torque", U16)};
-constexpr FieldSpec kExtAsk[] = {number("motors", U8), number("set", U32)};
-constexpr FieldSpec kExtState[] = {number("motor", U8), number("set", U32), rest("fields")};
+    parts("motors", U8, kExtMotorBits), parts("set", U16, kExtConfigBits), when("set", hasBit<0>, word("mode", U8, kExtModes)),
+    when("set", hasBit<1>, number("speed", U16, "°/s", 2)), when("set", hasBit<2>, number("acceleration", U16, "°/s²", 2)),
+    when("set", hasBit<3>, number("jerk", U16, "ms")), when("set", hasBit<4>, number("torque", U16))};
+constexpr BitsSpec kExtStateBits[] = {
+    {"mode", 0}, {"torque", 1}, {"torque.target", 2}, {"speed", 3}, {"speed.target", 4}, {"fine_speed", 5}, {"fine_speed.target", 6}, {"angle", 7},
+    {"angle.target", 8}, {"fine_angle", 9}, {"fine_angle.target", 10}, {"state", 11}, {"speed.max", 12}, {"acceleration.max", 13}, {"jerk", 14},
+    {"torque.max", 15}, {"current", 16}, {"voltage", 17}, {"temperature", 18}, {"driver.temperature", 19}};
+constexpr BitsSpec kExtMotorStateBits[] = {{"motor", 0, 2, kExtStates}, {"index_pin", 2}};
+constexpr double kMicroRadian = 180e-6 / 3.14159265358979323846;
+constexpr FieldSpec kExtAsk[] = {parts("motors", U8, kExtMotorBits), parts("set", U32, kExtStateBits)};
+constexpr FieldSpec kExtState[] = {
+    number("motor", U8), parts("set", U32, kExtStateBits), when("set", hasBit<0>, word("mode", U8, kExtModes)),
+    when("set", hasBit<1>, number("torque", S16)), when("set", hasBit<2>, number("torque.target", S16)),
+    when("set", hasBit<3>, number("speed", S16, "°/s", kControlSpeedUnit)), when("set", hasBit<4>, number("speed.target", S16, "°/s", kControlSpeedUnit)),
+    when("set", hasBit<5>, number("fine_speed", S32, "°/s", kMicroRadian)), when("set", hasBit<6>, number("fine_speed.target", S32, "°/s", kMicroRadian)),
+    when("set", hasBit<7>, number("angle", S16, "°", kDegreesPerCount)), when("set", hasBit<8>, number("angle.target", S16, "°", kDegreesPerCount)),
+    when("set", hasBit<9>, number("fine_angle", S32, "°", kFineAngleUnit)), when("set", hasBit<10>, number("fine_angle.target", S32, "°", kFineAngleUnit)),
+    when("set", hasBit<11>, parts("state", U16, kExtMotorStateBits)), when("set", hasBit<12>, number("speed.max", U16, "°/s", 2)),
+    when("set", hasBit<13>, number("acceleration.max", U16, "°/s²", 2)), when("set", hasBit<14>, number("jerk", U16, "ms")),
+    when("set", hasBit<15>, number("torque.max", U16)), when("set", hasBit<16>, number("current", U16, "mA")),
+    when("set", hasBit<17>, number("voltage", U16, "mV")), when("set", hasBit<18>, number("temperature", S8, "°C")),
+    when("set", hasBit<19>, number("driver.temperature", S8, "°C"))};
 constexpr FieldSpec kFirst[] = {number("first", U8)};
 constexpr FieldSpec kVariableInfo[] = {number("id", U8), {"name", Sized}, number("min", S16), number("max", S16), number("value", S32)};
 constexpr FieldSpec kVariableInfos[] = {number("total", U8), group("variable", kVariableInfo, 0)};
 constexpr FieldSpec kServoExt[] = {number("mask", U32), list("servo", S16, 0, "µs")};
-constexpr FieldSpec kQuat[] = {word("mode", U8, kQuatModes), number("flags", U8), rest("values")};
-constexpr FieldSpec kSet32[] = {number("set", U32)};
-constexpr FieldSpec kSet32Fields[] = {number("set", U32), rest("fields")};
-constexpr FieldSpec kQuatConfig[] = {number("set", U16), rest("fields")};
+constexpr bool hasAttitude(std::uint32_t mode, int)
+{
+    return mode == 2 || mode == 5;
+}
+constexpr bool hasSpeed(std::uint32_t mode, int)
+{
+    return mode == 1 || mode == 5 || mode == 9;
+}
+constexpr BitsSpec kQuatBits[] = {{"confirm", 0}, {"packed", 1}, {"limited", 2}, {"drop_axes", 3}, {"task", 6}};
+constexpr FieldSpec kQuatAttitude[] = {when("flags", lacksBit<1>, quaternion("attitude")), when("flags", hasBit<1>, packed("attitude"))};
+// What a mode has no use for is believed to be left out (errata 3.23).
+constexpr FieldSpec kQuat[] = {
+    word("mode", U8, kQuatModes), parts("flags", U8, kQuatBits), when("mode", hasAttitude, kQuatAttitude),
+    when("mode", hasSpeed, xyz("speed", F32, "rad/s"))};
+constexpr BitsSpec kQuatStateBits[] = {
+    {"mode", 0}, {"target", 1}, {"setpoint", 2}, {"actual", 3}, {"target.speed", 4}, {"setpoint.speed", 5}, {"actual.speed", 6}, {"target.packed", 7},
+    {"setpoint.packed", 8}, {"actual.packed", 9}};
+constexpr FieldSpec kQuatAsk[] = {parts("set", U32, kQuatStateBits)};
+constexpr FieldSpec kQuatModeTold[] = {word("mode", U8, kQuatModes), parts("flags", U16, kQuatBits)};
+constexpr FieldSpec kQuatState[] = {
+    parts("set", U32, kQuatStateBits), when("set", hasBit<0>, kQuatModeTold), when("set", hasBit<1>, quaternion("target")),
+    when("set", hasBit<2>, quaternion("setpoint")), when("set", hasBit<3>, quaternion("actual")),
+    when("set", hasBit<4>, xyz("target.speed", S16, "°/s", kGyroUnit)), when("set", hasBit<5>, xyz("setpoint.speed", S16, "°/s", kGyroUnit)),
+    when("set", hasBit<6>, xyz("actual.speed", S16, "°/s", kGyroUnit)), when("set", hasBit<7>, packed("target.packed")),
+    when("set", hasBit<8>, packed("setpoint.packed")), when("set", hasBit<9>, packed("actual.packed"))};
+constexpr BitsSpec kQuatConfigBits[] = {{"speed", 0}, {"acceleration", 1}, {"jerk", 2}, {"flags", 3}, {"attitude.lpf", 4}, {"speed.lpf", 5}};
+constexpr BitsSpec kQuatConfigFlags[] = {{"split_axes", 0}};
+constexpr FieldSpec kQuatConfig[] = {
+    parts("set", U16, kQuatConfigBits), when("set", hasBit<0>, xyz("speed", U16, "°/s", kControlSpeedUnit)),
+    when("set", hasBit<1>, xyz("acceleration", U16, "°/s²")), when("set", hasBit<2>, xyz("jerk", U16, "ms")),
+    when("set", hasBit<3>, parts("flags", U16, kQuatConfigFlags)), when("set", hasBit<4>, number("attitude.lpf", U8, "Hz")),
+    when("set", hasBit<5>, number("speed.lpf", U8, "Hz"))};
 constexpr FieldSpec kSensorCommand[] = {number("sensor", U8), number("command", U8), rest("data")};
 constexpr FieldSpec kTransparent[] = {number("target", U8), rest("data")};
 constexpr FieldSpec kDebugPort[] = {number("on", U8), number("filter", U32), reserved(11)};
@@ -362,7 +523,7 @@ constexpr MessageSpec kMessages[] = {
     {105, "WRITE_PARAMS_EXT3", kBlock, kNo, kConfirm, kWrites, kExt3Since, 221, true, "Parameters"},
     {106, "EXT_IMU_DEBUG_INFO", kNone, kAhrsDebug, kFrame, kSafe, kLater, 0},
     hidden(107, "SET_DEVICE_ADDR"),
-    {108, "AUTO_PID2", kTune2, kTune2, kConfirm, kWrites, 2730, 11},
+    {108, "AUTO_PID2", kTune2, kTune2Told, kConfirm, kWrites, 2730, 11},
     {109, "MOTORS_OFF", kMotorsOff, kNo, kConfirm, kSafe, 0, 0, true, "Stop motors"},
     {110, "EXT_IMU_CMD", kCommandData, kCommandData, kFrame, kDestroys, kLater, 1},
     {111, "READ_STATE_VARS", kNone, kStateVars, kFrame, kSafe, kLater, 0, true, "Actions (statistics)"},
@@ -390,7 +551,7 @@ constexpr MessageSpec kMessages[] = {
     hidden(137, "PASS_PROTECT_WRITE"),
     {139, "REALTIME_DATA_CUSTOM2", kCustomAsk, kCustom, kFrame, kSafe, 2740, 10},
     {140, "CONTROL_QUAT", kQuat, kNo, kConfirm, kMoves, 2730, 2},
-    {141, "CONTROL_QUAT_STATUS", kSet32, kSet32Fields, kFrame, kSafe, 2730, 4},
+    {141, "CONTROL_QUAT_STATUS", kQuatAsk, kQuatState, kFrame, kSafe, 2730, 4},
     {142, "CONTROL_QUAT_CONFIG", kQuatConfig, kNo, kConfirm, kMoves, 2730, 2},
     hidden(143, "SET_TRANSP_PROXY"),
     hidden(144, "UDRV_DEVICE_SCAN"),

@@ -113,11 +113,54 @@ row('WRITE_STATE_VARS', '>', state, told)
 row('CONTROL', '>', p('3B6h', 2, 0, 7, 246, 910, 0, 0, 1, 2), f'mode.roll=2 mode.yaw=7 roll.speed=246 roll.angle={910 * D} yaw.speed=1 yaw.angle={2 * D}')
 row('CONTROL_CONFIG', '>', p('H4BB', 500, 1, 2, 3, 4, 5) + b''.join(p('BBBHBx', 6, 7, 8, 900, 5) for _ in range(3)) + p('BHB9x', 50, 3, 2),
     'timeout=500 uart1=1 usb=4 here=5 roll.lpf.angle=6 pitch.lpf.speed=7 yaw.lpf.rc=8 yaw.acceleration=900 yaw.jerk=100 expo=50 flags=3 euler=2')
-row('CONTROL_EXT', '>', p('HBBhi', 0x0007, 2, 0, 100, 200000), 'set=7')
-row('CONTROL_QUAT', '>', p('BB4f', 2, 1, 1, 0, 0, 0), 'mode=2 flags=1')
-row('CONTROL_QUAT_STATUS', '>', p('I', 3), 'set=3')
-row('CONTROL_QUAT_STATUS', '<', p('I', 3) + count(8), 'set=3')
-row('CONTROL_QUAT_CONFIG', '>', p('H3H', 1, 90, 80, 70), 'set=1')
+# roll: speed and a fine angle; pitch: nothing; yaw: a fine speed alone
+row('CONTROL_EXT', '>', p('HBBhiBBi', 0b01001_00000_00111, 2, 1, 100, 200000, 0x81, 0, -5000),
+    f'set.roll.speed=1 set.roll.angle=1 set.roll.fine_angle=1 set.roll.fine_speed=0 set.pitch.speed=0 set.yaw.speed=1 set.yaw.fine_speed=1 '
+    f'roll.mode.kind=2 roll.mode.fine=0 roll.flags.uncorrected=1 roll.speed={100 * SPEED} roll.angle={200000 * 360 / 2**20} '
+    f'yaw.mode.kind=1 yaw.mode.fine=1 yaw.speed=-5')
+# pitch alone: a short angle, with a speed in fine units by its mode
+row('CONTROL_EXT', '>', p('HBBhh', 0b00011_00000, 0x82, 0, 1500, -910),
+    f'set.pitch.speed=1 set.pitch.angle=1 set.roll.angle=0 pitch.mode.kind=2 pitch.mode.fine=1 pitch.speed=1.5 pitch.angle={-910 * D}')
+# a signal is no angle
+row('CONTROL_EXT', '>', p('HBBhBBi', 0b00110_00010_00000, 4, 0, -500, 6, 0, 16384), 'pitch.mode.kind=4 pitch.signal=-500 yaw.mode.kind=6 yaw.signal=16384')
+row('CONTROL_EXT', '>', p('H', 0), 'set.roll.speed=0')
+
+
+def quaternion(*parts):
+    """errata 3.24; each: w, x, y, z"""
+    word = at = 0
+    largest = max(range(4), key=lambda i: abs(parts[i]))
+    for i, part in enumerate(parts):
+        if i != largest:
+            word |= (round(abs(part) * 741453.786) | (part < 0) << 19) << at
+            at += 20
+    return struct.pack('<Q', word | largest << 60 | (parts[largest] < 0) << 62)
+
+
+def unpacked(name, word):
+    """what is left of it"""
+    value = struct.unpack('<Q', word)[0]
+    largest = value >> 60 & 3
+    parts = [(1 - 2 * (value >> at + 19 & 1)) * (value >> at & 0x7FFFF) / 741453.786 for at in (0, 20, 40)]
+    parts.insert(largest, (1 - 2 * (value >> 62 & 1)) * (1 - sum(part * part for part in parts)) ** 0.5)
+    return ' '.join(f'{name}.{axis}={part!r}' for axis, part in zip('wxyz', parts))
+
+
+turn = quaternion(0.1, -0.2, 0.3, -(0.86 ** 0.5))
+half = quaternion(0.5 ** 0.5, 0.5 ** 0.5 - 1e-9, 0, 0)
+row('CONTROL_QUAT', '>', p('BB', 0, 1), 'mode=0 flags.confirm=1')
+row('CONTROL_QUAT', '>', p('BB4f', 2, 0x45, 0.5, -0.5, 0.5, 0.5),
+    'mode=2 flags.confirm=1 flags.packed=0 flags.limited=1 flags.task=1 attitude.w=0.5 attitude.x=-0.5 attitude.z=0.5')
+row('CONTROL_QUAT', '>', p('BB', 2, 2) + turn, 'mode=2 flags.packed=1 ' + unpacked('attitude', turn))
+row('CONTROL_QUAT', '>', p('BB', 5, 2) + half + p('3f', 0.25, -0.5, 1), 'mode=5 speed.x=0.25 speed.y=-0.5 speed.z=1 ' + unpacked('attitude', half))
+row('CONTROL_QUAT', '>', p('BB3f', 9, 0, 1.5, 0, 0), 'mode=9 speed.x=1.5')
+row('CONTROL_QUAT_STATUS', '>', p('I', 0x209), 'set.mode=1 set.actual=1 set.actual.packed=1 set.target=0')
+row('CONTROL_QUAT_STATUS', '<', p('IBH4f', 0x209, 5, 2, 1, 0, 0, 0) + turn, 'mode=5 flags.packed=1 actual.w=1 actual.z=0 ' + unpacked('actual.packed', turn))
+row('CONTROL_QUAT_STATUS', '<', p('I4f4f3h3h3h', 0x76, 0, 1, 0, 0, 0, 0, 1, 0, *range(9)) ,
+    f'target.x=1 setpoint.y=1 target.speed.y={RATE} setpoint.speed.x={3 * RATE} actual.speed.z={8 * RATE}')
+row('CONTROL_QUAT_CONFIG', '>', p('H3H', 1, 90, 80, 70), f'set.speed=1 set.jerk=0 speed.x={90 * SPEED} speed.z={70 * SPEED}')
+row('CONTROL_QUAT_CONFIG', '>', p('H3H3HHBB', 0b111110, 900, 800, 700, 30, 20, 10, 1, 5, 6),
+    'set.acceleration=1 acceleration.x=900 acceleration.z=700 jerk.y=20 flags.split_axes=1 attitude.lpf=5 speed.lpf=6')
 row('API_VIRT_CH_CONTROL', '>', p('3h', 500, -500, -10000), 'channel1=500 channel2=-500 channel3=-10000')
 row('API_VIRT_CH_HIGH_RES', '>', p('2h', 16384, -32768), 'channel1=16384 channel2=-32768')
 row('AHRS_HELPER', '>', b'\x02', 'mode=2')
@@ -168,11 +211,14 @@ row('CALIB_ACC_EXT_REF', '>', p('3h14x', 0, 0, 512), 'acc.z=1')
 row('AUTO_PID', '>', p('BBBBB14x', 1, 15, 128, 0, 0), 'profile=1 flags=15 gain=128')
 row('AUTO_PID', '<', p('3B3B3B3HH', 1, 2, 3, 4, 5, 6, 7, 8, 9, 100, 200, 300, 12) + b''.join(p('f6x', 0.5 * (a + 1)) for a in range(3)) + bytes(10),
     'p.roll=1 i.pitch=5 d.yaw=9 lpf.yaw=300 iteration=12 roll.error=0.5 yaw.error=1.5')
-tune2 = p('BH8x', 1, 1) + b'\x01' + b''.join(p('BBHBBB6x', 1, 50, 300, 20, 30, 25) for _ in range(3)) + p('HxBBB4b12x', 5, 10, 50, 3, -30, 0, 1, 10)
+tune2 = p('BH8x', 1, 1) + b'\x01' + b''.join(p('BBHBBB6x', 0b1011, 50, 300, 20, 30, 25) for _ in range(3)) + p('HxBBB4b12x', 0x8005, 10, 50, 3, -30, 0, 1, 10)
 assert len(tune2) == 73
-tune2told = 'action=1 command=1 version=1 roll.flags=1 pitch.gain=50 yaw.stimulus=300 yaw.margin=2.5 flags=5 from=1 to=50 positions=3 position1=-90 position4=30'
+tune2told = ('action=1 command.send=1 version=1 roll.flags.enabled=1 roll.flags.lpf=1 roll.flags.notches=2 pitch.gain=50 yaw.stimulus=300 yaw.margin=2.5 '
+             'flags.from_current=1 flags.all_profiles=0 flags.gain_only=1 flags.gain_at_start=1 from=1 to=50 positions.first=1 positions.second=1 '
+             'positions.third=0 position1=-90 position4=30')
 row('AUTO_PID2', '>', tune2, tune2told)
-row('AUTO_PID2', '>', p('BH8x', 5, 0), 'action=5 command=0')
+row('AUTO_PID2', '>', p('BH8x', 5, 0), 'action=5 command.send=0')
+row('AUTO_PID2', '>', p('BH8x', 6, 1), 'action=6 command.send=1')
 row('AUTO_PID2', '<', tune2, tune2told)
 row('BODE_TEST_START_STOP', '>', p('BBHHBIBH16x', 1, 0, 100, 200, 2, 5000, 1, 3), 'axis=1 gain=100 end=200 system=2 samples=5000 mode=1 start=3')
 row('BODE_TEST_DATA', '<', p('B4f4H', 1, -1, -2, 3, 4, 0, 1, 65534, 2), 'counter=1 in.min=-1 out.max=4 sample1.in=0 sample2.in=65534 sample2.out=2')
@@ -204,8 +250,10 @@ row('MODULE_LIST', '<', b'\x01' + p('BHHH6x', 3, 10, 20, 30), 'count=1 module1.i
 row('CAN_DEVICE_SCAN', '>', b'', '')
 row('CAN_DEVICE_SCAN', '<', count(12) + b'\x07\x02', 'device1.id=7 device1.type=2')
 row('EXT_IMU_DEBUG_INFO', '>', b'', '')
-row('EXT_IMU_DEBUG_INFO', '<', p('BB4BBHHBB13x9f3f', 1, 2, 3, 4, 5, 6, 7, 800, 9, 10, 11, *([0.5] * 9), 1, 2, 3),
-    'main.source=1 frame.source=2 error1=0.3 status=7 packets=800 parse.errors=9 heading.error=10 z.error=11 matrix9=0.5 acc.z=3')
+row('EXT_IMU_DEBUG_INFO', '<', p('BB4BBHHBB13x9f3f', 0b11_001_010, 0b01_011_000, 3, 4, 5, 6, 0b11_000_110, 800, 9, 10, 11, *([0.5] * 9), 1, 2, 3),
+    'main.source.attitude=2 main.source.heading=1 main.source.present=1 main.source.processing=1 frame.source.attitude=0 frame.source.heading=3 '
+    'frame.source.present=1 frame.source.processing=0 main.z.error=0.3 main.h.error=0.4 frame.z.error=0.5 frame.h.error=0.6 '
+    'external.state=6 external.bad_magnetometer=1 external.no_gps=1 packets=800 parse.errors=9 heading.error=10 z.error=11 matrix9=0.5 acc.z=3')
 row('EXT_IMU_CMD', '>', b'\x01ab', 'command=1')
 row('EXT_IMU_CMD', '<', b'\x01cd', 'command=1')
 row('EXT_SENS_CMD', '>', b'\x01\x02ab', 'sensor=1 command=2')
@@ -214,10 +262,20 @@ row('TRANSPARENT_SAPI', '>', b'\x01ab', 'target=1')
 row('TRANSPARENT_SAPI', '<', b'abc', '')
 row('CAN_DRV_TELEMETRY', '<', p('BH', 1, 500) + b'ab', 'driver=1 time=500')
 row('EXT_MOTORS_ACTION', '>', b'\x81\x04', 'motors=129 action=4')
-row('EXT_MOTORS_CONTROL', '>', b'\x01\x00' + p('i', 5), 'motors=1 set=0')
-row('EXT_MOTORS_CONTROL_CONFIG', '>', p('BHBHHHH', 1, 31, 2, 50, 100, 30, 40), 'motors=1 set=31 mode=2 speed=100 acceleration=200 jerk=30 torque=40')
-row('EXT_MOTORS_STATE', '>', p('BI', 1, 3), 'motors=1 set=3')
-row('EXT_MOTORS_STATE', '<', p('BI', 1, 3) + b'ab', 'motor=1 set=3')
+row('EXT_MOTORS_CONTROL', '>', p('BBh', 1, 0, -5), 'motors.first=1 motors.confirm=0 set.wide_target=0 motor1.target=-5')
+row('EXT_MOTORS_CONTROL', '>', p('BBihih', 0x83, 3, 70000, 7, -70000, 8),
+    'motors.second=1 motors.confirm=1 set.wide_target=1 set.parameter=1 motor1.target=70000 motor1.parameter=7 motor2.target=-70000 motor2.parameter=8')
+row('EXT_MOTORS_CONTROL', '>', p('BBhi', 4, 4, 5, 70000), 'motors.third=1 motor1.target=5 motor1.wide_parameter=70000')
+row('EXT_MOTORS_CONTROL_CONFIG', '>', p('BHBHHHH', 1, 31, 2, 50, 100, 30, 40),
+    'motors.first=1 set.mode=1 set.torque=1 mode=2 speed=100 acceleration=200 jerk=30 torque=40')
+row('EXT_MOTORS_CONTROL_CONFIG', '>', p('BHHH', 2, 0b1010, 50, 30), 'motors.second=1 set.speed=1 set.mode=0 speed=100 jerk=30')
+row('EXT_MOTORS_STATE', '>', p('BI', 1, 3), 'motors.first=1 set.mode=1 set.torque=1')
+row('EXT_MOTORS_STATE', '<', p('BIBhhhhiihhiiHHHHHHHbb', 1, 0xFFFFF, 1, 10, -20, 100, -100, 1000000, -1000000, 910, -910, 2**18, -2**18,
+                                5, 50, 60, 70, 80, 900, 12000, -3, 45),
+    f'motor=1 mode=1 torque=10 torque.target=-20 speed={100 * SPEED} speed.target={-100 * SPEED} fine_speed={180 / 3.141592653589793} angle={910 * D} '
+    'fine_angle=90 fine_angle.target=-90 state.motor=1 state.index_pin=1 speed.max=100 acceleration.max=120 jerk=70 torque.max=80 current=900 '
+    'voltage=12000 temperature=-3 driver.temperature=45')
+row('EXT_MOTORS_STATE', '<', p('BIHb', 2, 1 << 16 | 1 << 18, 250, 40), 'motor=2 set.current=1 current=250 temperature=40')
 
 
 def main():

@@ -148,6 +148,21 @@ void TestSbgcMessages::commandsAreGivenByName()
     QCOMPARE(parseCommand(u"AHRS_HELPER mode=5 z.x=0 z.y=0 z.z=1 h.x=0 h.y=1 h.z=0"_s, 1)->risk,
              ActionRisk::Moves);
     QCOMPARE(parseCommand(u"SYSTEM_STATE 01"_s, 1)->risk, ActionRisk::Destroys);
+    // Parts of a number by their names, the others are 0; or all of it as one.
+    const auto parts = parseCommand(u"CONTROL_EXT set.yaw.speed=1 set.yaw.fine_speed=1 yaw.mode.kind=speed "
+                                    "yaw.flags=0 yaw.speed=-5"_s,
+                                    1);
+    QVERIFY2(parts, parts ? "" : qPrintable(parts.error().detail));
+    QCOMPARE(parts->bytes,
+             encodeFrame(121,
+                         QByteArray::fromHex("00240100"
+                                             "78ecffff")));
+    QCOMPARE(parseCommand(u"CONTROL_EXT set=0x2400 yaw.mode=1 yaw.flags=0 yaw.speed=-5"_s, 1)->bytes,
+             parts->bytes);
+    QCOMPARE(parseCommand(u"AUTO_PID2 action=stop command=0"_s, 1)->bytes,
+             encodeFrame(108,
+                         QByteArray::fromHex("05"
+                                             "00000000000000000000")));
 }
 
 void TestSbgcMessages::whatIsWrongIsSaid_data()
@@ -166,6 +181,20 @@ void TestSbgcMessages::whatIsWrongIsSaid_data()
     QTest::newRow("nothing of it") << u"TRIGGER_PIN high"_s << u"pin=... state=..."_s;
     QTest::newRow("bytes") << u"EEPROM_WRITE address=0 data=xy"_s << u"hex"_s;
     QTest::newRow("too long") << u"WRITE_EXTERNAL_DATA data=%1"_s.arg(QString(258, u'0')) << u"128"_s;
+    QTest::newRow("not said to be there") << u"CONTROL_EXT set.roll.speed=1 roll.mode.kind=1 roll.flags=0 "
+                                             "roll.speed=10 roll.angle=5"_s
+                                          << u"there is no field 'roll.angle' here"_s;
+    QTest::newRow("said to be there") << u"CONTROL_EXT set.roll.speed=1"_s << u"roll.mode is missing"_s;
+    QTest::newRow("more than its bits hold")
+        << u"AUTO_PID2 action=start command=0 version=1 roll.flags.notches=4"_s << u"0 .. 3"_s;
+    QTest::newRow("no such word") << u"CONTROL_EXT set.yaw.speed=1 yaw.mode.kind=fast"_s
+                                  << u"'fast' is not a number"_s;
+    QTest::newRow("settings are missing") << u"AUTO_PID2 action=start command=0"_s << u"version is missing"_s;
+    QTest::newRow("no rotation") << u"CONTROL_QUAT mode=attitude flags.packed=1 attitude.w=1 attitude.x=1 "
+                                    "attitude.y=0 attitude.z=0"_s
+                                 << u"the length of a rotation is 1"_s;
+    QTest::newRow("half a rotation") << u"CONTROL_QUAT mode=attitude flags.packed=1 attitude.w=1"_s
+                                     << u"attitude.x is missing"_s;
     QTest::newRow("nothing") << u"NOTHING"_s << u"there is no command"_s;
 }
 
@@ -190,6 +219,17 @@ void TestSbgcMessages::framesAreWorded()
     QCOMPARE(worded(58, "110002", true), u"command 17, code 2 (file not found)"_s);
     QCOMPARE(worded(52, "0102", false), u"its layout is not public"_s);
     QCOMPARE(worded(200, "01", false), QString());
+    // Only what is there, and of flags only those that are set.
+    QCOMPARE(worded(121, "e0008200dc0572fcffff", false),
+             u"set.pitch.speed, set.pitch.angle, set.pitch.fine_angle, pitch.mode.kind 2 (angle), "
+             "pitch.mode.fine, pitch.speed 1.500°/s, pitch.angle -0.3124°"_s);
+    QCOMPARE(worded(140, "0000", false), u"mode 0 (off)"_s);
+    QCOMPARE(worded(130, "020a0032001e00", false),
+             u"motors.second, set.speed, set.jerk, speed 100°/s, jerk 30 ms"_s);
+    QCOMPARE(worded(106, "ca58", true),
+             u"main.source.attitude 2 (external), main.source.heading 1 (internal), main.source.present, "
+             "main.source.processing, frame.source.attitude 0 (none), frame.source.heading 3 (translated), "
+             "frame.source.present"_s);
     // Every vector has words, and what is cut off anywhere does no harm.
     for (const SbgcVector &vector : kSbgcVectors) {
         const QByteArray payload = QByteArray::fromHex(vector.hex);
