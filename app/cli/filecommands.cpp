@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
 #include "protocol/base/filefault.h"
+#include "protocol/configuration/memoryimage.h"
 #include "protocol/record/configurationformats.h"
 #include "protocol/transport/portlist.h"
 
@@ -42,6 +43,50 @@ void reportAbsent(CommandOutcome &outcome, const QStringList &keys, const QStrin
     addMissing(outcome, keys, where);
     if (!partial)
         outcome.exitCode = Refused;
+}
+
+// Two images of a memory, by addresses: no document tells what lies where.
+Result<CommandOutcome> compareImages(const QString &first, const QString &second)
+{
+    const auto from = MemoryImage::load(first);
+    if (!from)
+        return tl::unexpected(from.error());
+    const auto to = MemoryImage::load(second);
+    if (!to)
+        return tl::unexpected(to.error());
+    if (from->bytes.size() != to->bytes.size())
+        return failure(ErrorCode::InvalidArgument,
+                       u"%1 holds %2 bytes of memory, %3 holds %4"_s.arg(first)
+                           .arg(from->bytes.size())
+                           .arg(second)
+                           .arg(to->bytes.size()));
+    CommandOutcome outcome;
+    QJsonArray array;
+    for (const MemoryDifference &difference : memoryDifferences(from->bytes, to->bytes)) {
+        array.append(QJsonObject{{u"address"_s, qint64(difference.at)},
+                                 {u"bytes"_s, qint64(difference.from.size())},
+                                 {u"changed"_s, difference.changed()},
+                                 {u"from"_s, QString::fromLatin1(difference.from.toHex(' '))},
+                                 {u"to"_s, QString::fromLatin1(difference.to.toHex(' '))}});
+        outcome.text += u"%1 %2 of %3 bytes differ: %4\n"_s.arg(difference.place().leftJustified(16))
+                            .arg(difference.changed())
+                            .arg(difference.from.size())
+                            .arg(difference.text());
+    }
+    outcome.json = array;
+    QStringList notes;
+    if (from->serial != to->serial)
+        notes.append(u"of two boards: %1 and %2"_s.arg(from->serial, to->serial));
+    if (from->firmware != to->firmware)
+        notes.append(u"of two firmwares, which may keep things in other places: %1 and %2"_s.arg(
+            from->firmware, to->firmware));
+    if (array.isEmpty())
+        outcome.text = u"no difference\n"_s;
+    else
+        notes.append(u"where parameters lie in a memory is documented nowhere; with the board connected, "
+                     u"\"do memory.compare\" names those that it finds there"_s);
+    outcome.note = notes.join(u'\n');
+    return outcome;
 }
 
 class PortsCommand final : public LocalCommand
@@ -119,7 +164,10 @@ public:
     using BoardCommand::BoardCommand;
     const char *name() const override { return "diff"; }
     const char *words() const override { return "A B"; }
-    QString help() const override { return u"differences between two files, or a file and \"board\""_s; }
+    QString help() const override
+    {
+        return u"differences between two files, or a file and \"board\"; also two copies of a whole memory"_s;
+    }
     const char *example() const override { return "--link serial:/dev/ttyUSB0 diff before.json board"; }
     QString check() const override
     {
@@ -129,14 +177,44 @@ public:
     bool needsBoard() const override { return arguments().contains(u"board"_s); }
     Result<CommandOutcome> run(Channel &channel, Device &device) override
     {
+        if (!images().isEmpty())
+            return compareMemories();
         auto board = device.readConfiguration(channel);
         if (!board)
             return tl::unexpected(board.error());
         return compare(&*board);
     }
-    void startWithoutBoard() override { emit finished(compare(nullptr)); }
+    void startWithoutBoard() override
+    {
+        emit finished(images().isEmpty() ? compare(nullptr) : compareMemories());
+    }
 
 private:
+    [[nodiscard]] QStringList images() const
+    {
+        QStringList found;
+        for (const QString &name : arguments()) {
+            if (name != u"board"_s && MemoryImage::isAt(name))
+                found.append(name);
+        }
+        return found;
+    }
+
+    [[nodiscard]] Result<CommandOutcome> compareMemories() const
+    {
+        if (images().size() == 2)
+            return compareImages(arguments()[0], arguments()[1]);
+        const QString image = images().first();
+        if (needsBoard())
+            return failure(
+                ErrorCode::InvalidArgument,
+                u"%1 is a copy of a whole memory; \"do memory.compare file=%1\" compares it with the "
+                "board's"_s.arg(image));
+        return failure(ErrorCode::InvalidArgument,
+                       u"%1 is a copy of a whole memory, %2 is none"_s.arg(
+                           image, arguments()[image == arguments()[0] ? 1 : 0]));
+    }
+
     [[nodiscard]] Result<CommandOutcome> compare(const Configuration *board) const
     {
         std::array<Configuration, 2> sides;

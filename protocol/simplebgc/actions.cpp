@@ -88,6 +88,7 @@ const Actions::Entry Actions::kHandlers[] = {
     {"external.read", &Actions::readExternal},
     {"external.write", &Actions::writeExternal},
     {"memory.save", &Actions::saveMemory},
+    {"memory.compare", &Actions::compareMemory},
     {"memory.restore", &Actions::restoreMemory},
     {"file.save", &Actions::saveFile},
     {"file.load", &Actions::loadFile},

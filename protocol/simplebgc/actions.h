@@ -76,13 +76,15 @@ private:
     Result<ActionReply> profileSet(const QVariantMap &arguments);
     Result<ActionReply> readExternal(const QVariantMap &arguments);
     Result<ActionReply> writeExternal(const QVariantMap &arguments);
-    Result<ActionReply> saveMemory(const QVariantMap &arguments);
-    Result<ActionReply> restoreMemory(const QVariantMap &arguments);
     Result<ActionReply> saveFile(const QVariantMap &arguments);
     Result<ActionReply> loadFile(const QVariantMap &arguments);
     Result<ActionReply> eraseFile(const QVariantMap &arguments);
     Result<ActionReply> runScript(const QVariantMap &arguments);
     Result<ActionReply> readSlots(const QVariantMap &arguments);
+    // memoryactions.cpp
+    Result<ActionReply> saveMemory(const QVariantMap &arguments);
+    Result<ActionReply> restoreMemory(const QVariantMap &arguments);
+    Result<ActionReply> compareMemory(const QVariantMap &arguments);
     // expertactions.cpp
     Result<ActionReply> i2cScan(const QVariantMap &arguments);
     Result<ActionReply> i2cReadRegisters(const QVariantMap &arguments);

@@ -206,7 +206,7 @@ constexpr ReplyUnit kSlotUnits[] = {{"signal", "%"}};
 constexpr ReplyUnit kStatisticsUnits[] = {
     {"shock", "g"}, {"work", "s"}, {"max", "mA"}, {"temperature1", "°C"}, {"temperature2", "°C"}, {"temperature3", "°C"}, {"temperature4", "°C"},
     {"time", "s"}, {"energy", "Wh"}, {"average", "A"}};
-constexpr ReplyUnit kByteUnits[] = {{"bytes", "bytes"}, {"written", "bytes"}};
+constexpr ReplyUnit kByteUnits[] = {{"bytes", "bytes"}, {"written", "bytes"}, {"differing", "bytes"}};
 constexpr ReplyUnit kResetUnits[] = {{"restarts_in", "ms"}};
 constexpr ReplyUnit kTuningUnits[] = {{"error", "°"}, {"lpf", "Hz"}};
 
@@ -302,6 +302,9 @@ constexpr ActionSpec kActions[] = {
     {.key = "external.write", .label = "Write user data", .help = "Replaces the 128 bytes that the board keeps for others.",
      .group = "Memory", .risk = ActionRisk::Writes, .arguments = kDataArguments},
     {.key = "memory.save", .label = "Copy the whole memory", .help = "Copies the board's memory into a file, byte for byte.",
+     .group = "Memory", .arguments = kPathArguments, .isProcedure = true, .units = kByteUnits},
+    {.key = "memory.compare", .label = "Compare the whole memory",
+     .help = "Compares the board's memory with a copy of it. Parameters are named where their place can be found; no document tells it.",
      .group = "Memory", .arguments = kPathArguments, .isProcedure = true, .units = kByteUnits},
     {.key = "memory.restore", .label = "Restore whole memory",
      .help = "Writes a copy of the memory back and compares it. It is in use after a restart.", .group = "Memory",

@@ -463,7 +463,7 @@ constexpr MessageSpec kMessages[] = {
     {45, "API_VIRT_CH_CONTROL", kChannels, kNo, kNothing, kMoves, 0, 2, true, "Actions (channel)"},
     {46, "ADJ_VARS_STATE", kSlotAsk, kSlotState, kFrame, kSafe, 0, 2, true, "Actions (slots.read)"},
     {47, "EEPROM_WRITE", kMemoryWrite, kNo, kConfirm, kDestroys, 0, 4, true, "Actions (memory.restore)"},
-    {48, "EEPROM_READ", kMemoryRead, kMemoryWrite, kFrame, kSafe, 0, 6, true, "Actions (memory.save)"},
+    {48, "EEPROM_READ", kMemoryRead, kMemoryWrite, kFrame, kSafe, 0, 6, true, "Actions (memory.save, memory.compare)"},
     {49, "CALIB_INFO", kCalibInfoAsk, kCalibInfo, kFrame, kSafe, kLater, 12},
     {50, "SIGN_MESSAGE", kSign, kSigned, kFrame, kSafe, kLater, 33},
     {51, "BOOT_MODE_3", kBoot, kNo, kNothing, kDestroys, 0, 0, true, "Actions (bootloader)"},

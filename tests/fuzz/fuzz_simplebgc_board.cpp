@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/configuration/memoryimage.h"
 #include "protocol/simplebgc/frametext.h"
-#include "protocol/simplebgc/memoryimage.h"
 #include "protocol/simplebgc/messages.h"
 #include "protocol/simplebgc/telemetrytables.h"
 #include "protocol/simulator/simplebgc/board.h"
@@ -39,7 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
                 words.append(value.name + u'=' + QString::number(value.number, 'g', 17));
             std::ignore = simplebgc::encodeFields(*message->toBoard, words, message->least);
         }
-        std::ignore = simplebgc::MemoryImage::decode(toByteArray(frame.payload));
+        std::ignore = MemoryImage::decode(toByteArray(frame.payload));
     };
     while (size >= 2) {
         const int id = std::max<int>(1, data[0]);

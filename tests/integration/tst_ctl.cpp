@@ -42,6 +42,7 @@ private slots:
     void init();
     void cleanup();
     void info();
+    void memoriesAreCompared();
     void listAndGet();
     void setWritesAndTells();
     void setWithoutSaveIsVolatile();
@@ -133,6 +134,44 @@ void TestCtl::info()
     QCOMPARE(run.exitCode, 0);
     QVERIFY(run.out.contains(u"SimpleBGC 3.0"_s));
     QCOMPARE(ctl({u"--json"_s, u"info"_s}).json().object().value(u"firmware"_s).toString(), u"2.59b0"_s);
+}
+
+void TestCtl::memoriesAreCompared()
+{
+    const QString before = m_dir->filePath(u"before"_s);
+    const QString after = m_dir->filePath(u"after"_s);
+    QCOMPARE(ctl({u"do"_s, u"memory.save"_s, u"file="_s + before}).exitCode, 0);
+    QCOMPARE(ctl({u"set"_s, u"motor.pitch.power=99"_s}).exitCode, 0);
+    QCOMPARE(ctl({u"do"_s, u"memory.save"_s, u"file="_s + after}).exitCode, 0);
+    // Against the board parameters have names.
+    const Run board = ctl({u"do"_s, u"memory.compare"_s, u"file="_s + before});
+    QCOMPARE(board.exitCode, 0);
+    QVERIFY2(board.out.contains(u"profile 1: motor.pitch.power 150 -> 99"_s), qPrintable(board.out));
+    // Two files alone have addresses.
+    const Run files = ctl({u"diff"_s, before, after}, false);
+    QCOMPARE(files.exitCode, 0);
+    QVERIFY2(files.out.contains(u"bytes differ: "_s) && files.out.startsWith(u"0x00"_s),
+             qPrintable(files.out));
+    QVERIFY2(files.err.contains(u"documented nowhere"_s), qPrintable(files.err));
+    const QJsonArray ranges = ctl({u"--json"_s, u"diff"_s, before, after}, false).json().array();
+    QVERIFY(!ranges.isEmpty());
+    for (const QJsonValue &range : ranges) {
+        QVERIFY(range.toObject().value(u"changed"_s).toInt() > 0);
+        QVERIFY(range.toObject().value(u"from"_s) != range.toObject().value(u"to"_s));
+    }
+    QCOMPARE(ctl({u"diff"_s, before, before}, false).out, u"no difference\n"_s);
+    // Files that do not fit are told apart.
+    const QString settings = m_dir->filePath(u"settings.json"_s);
+    QCOMPARE(ctl({u"dump"_s, settings}).exitCode, 0);
+    const Run mixed = ctl({u"diff"_s, before, settings}, false);
+    QCOMPARE(mixed.exitCode, 2);
+    QVERIFY2(mixed.err.contains(u"settings.json is none"_s), qPrintable(mixed.err));
+    QVERIFY(ctl({u"diff"_s, after, u"board"_s}).err.contains(u"do memory.compare file="_s));
+    QFile cut(after);
+    QVERIFY(cut.resize(cut.size() - 1));
+    const Run damaged = ctl({u"diff"_s, before, after}, false);
+    QCOMPARE(damaged.exitCode, 1);
+    QVERIFY2(damaged.err.contains(u"after"_s), qPrintable(damaged.err));
 }
 
 void TestCtl::listAndGet()

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Actions on the rest of a SimpleBGC board, and what they do to a simulated one.
-#include "protocol/simplebgc/memoryimage.h"
+#include "protocol/configuration/memoryimage.h"
+#include "protocol/simplebgc/memoryplaces.h"
 #include "protocol/simplebgc/messages.h"
+#include "protocol/simplebgc/parametertables.h"
 #include "tests/support/channelproxy.h"
 #include "tests/support/sbgcrig.h"
 
@@ -60,6 +62,9 @@ private slots:
     void memoryComesBackBitForBit();
     void brokenRestoreGoesOn();
     void otherMemoryIsRefused();
+    void memoryIsComparedInWords();
+    void placesAreOnlyThoseFound();
+    void differencesAreRanges();
     void imagesAreChecked_data();
     void imagesAreChecked();
     void filesComeBack();
@@ -320,6 +325,89 @@ void TestSbgcActions::otherMemoryIsRefused()
     SAYS(restore(u"0102"_s, {}, false), u"another board (0102"_s);
     QVERIFY(restore(u"0102"_s, {}, true));
     SAYS(restore({}, u"2.59b0"_s, true), u"2.59b0"_s);
+}
+
+void TestSbgcActions::memoryIsComparedInWords()
+{
+    SbgcRig rig;
+    const SbgcRig::Texts file{{u"file"_s, rig.path(u"a"_s)}};
+    QVERIFY(rig.perform("memory.save", file));
+    const auto same = rig.perform("memory.compare", file);
+    QVERIFY2(same, same ? "" : qPrintable(same.error().detail));
+    QCOMPARE(*same, (ActionReply{{u"differing"_s, 0}}));
+    const int before = rig.board().stored(u"pid.pitch.d"_s, 4);
+    rig.board().store(u"pid.pitch.d"_s, 4, before + 1);
+    QVERIFY(rig.perform("external.write", {{u"data"_s, u"55"_s}}));
+    const auto other = rig.perform("memory.compare", file);
+    QVERIFY2(other, other ? "" : qPrintable(other.error().detail));
+    QCOMPARE(other->value(u"differing"_s).toInt(), 2);
+    QCOMPARE(other->value(u"profile 5: pid.pitch.d"_s).toString(), u"%1 -> %2"_s.arg(before).arg(before + 1));
+    // What is no part of the configuration stays a range of addresses, and is said to be no more.
+    QCOMPARE(other->value(u"0x1800"_s).toString(), u"00 -> 55"_s);
+    QCOMPARE(other->value(u"unnamed"_s).toInt(), 1);
+    QCOMPARE(other->size(), 5);
+    // Of another firmware nothing is named.
+    auto image = MemoryImage::load(rig.path(u"a"_s));
+    QVERIFY(image);
+    image->firmware = u"2.59b0"_s;
+    image->serial = u"0102"_s;
+    QFile changed(rig.path(u"a"_s));
+    QVERIFY(changed.open(QIODevice::WriteOnly));
+    changed.write(image->encode());
+    changed.close();
+    const auto foreign = rig.perform("memory.compare", file);
+    QVERIFY(foreign);
+    QVERIFY(!foreign->contains(u"found"_s));
+    QCOMPARE(foreign->value(u"other_board"_s).toString(), u"0102"_s);
+    QCOMPARE(foreign->value(u"other_firmware"_s).toString(), u"2.59b0"_s);
+    QCOMPARE(foreign->value(u"unnamed"_s).toInt(), 2);
+    QCOMPARE(foreign->size(), 6);
+    image->bytes.chop(64);
+    QVERIFY(changed.open(QIODevice::WriteOnly));
+    changed.write(image->encode());
+    changed.close();
+    SAYS(rig.perform("memory.compare", file), u"the board's memory has 32768"_s);
+    SAYS(rig.perform("memory.compare", {{u"file"_s, rig.path(u"none"_s)}}), u"none"_s);
+}
+
+// A block that stands in the memory twice could be either.
+void TestSbgcActions::placesAreOnlyThoseFound()
+{
+    SbgcRig rig;
+    const auto board = rig.device.readConfiguration(rig.channel);
+    QVERIFY(board);
+    const QByteArray block = board->block({1, Params3});
+    const auto isFound = [&](const QByteArray &memory) {
+        const auto places = findPlaces(memory, *board);
+        return std::any_of(places.begin(), places.end(), [](const MemoryPlace &place) {
+            return place.key == BlockKey{1, Params3} && place.at == 100;
+        });
+    };
+    QVERIFY(isFound(QByteArray(100, '\0') + block));
+    QVERIFY(isFound(QByteArray(100, '\0') + 'x' + block.mid(1)));  // it need not hold its profile's number
+    QVERIFY(!isFound(QByteArray(100, '\0') + block + block));
+    QVERIFY(
+        isFound(QByteArray(100, '\0') + block.chopped(2)));  // which sensor is in use it need not hold either
+    QVERIFY(!isFound(QByteArray(100, '\0') + block.chopped(3)));
+    QVERIFY(findPlaces({}, *board).empty());
+}
+
+void TestSbgcActions::differencesAreRanges()
+{
+    QByteArray from(64, '\0');
+    QByteArray to = from;
+    QVERIFY(memoryDifferences(from, to).empty());
+    to[0] = 1;
+    to[8] = 2;  // 7 equal ones between
+    to[30] = 3;
+    to[63] = 4;
+    const auto found = memoryDifferences(from, to);
+    QCOMPARE(found.size(), std::size_t(3));
+    QCOMPARE(found[0].place(), u"0x0000-0x0008"_s);
+    QCOMPARE(found[0].changed(), 2);
+    QCOMPARE(found[0].text(), u"00 00 00 00 00 00 00 00 00 -> 01 00 00 00 00 00 00 00 02"_s);
+    QCOMPARE(found[1].place(), u"0x001e"_s);
+    QCOMPARE(found[2].at, qsizetype(63));
 }
 
 void TestSbgcActions::imagesAreChecked_data()
