@@ -18295,8 +18295,8 @@ Spitze %2°</translation>
         <translation>Die Plätze, die ein Skript enthalten, mit seiner Größe.</translation>
     </message>
     <message>
-        <source>Rate and content of this MAVLink channel.</source>
-        <translation>Rate und Inhalt dieses MAVLink-Kanals.</translation>
+        <source>Rate and content of this MAVLink channel. The three bits of the rate are one number, coded like the other serial speeds as far as is known: 0 = 115200, 1 = 57600, 2 = 38400, 3 = 19200, 4 = 9600, 5 = 256000.</source>
+        <translation>Rate und Inhalt dieses MAVLink-Kanals. Die drei Bits der Rate sind eine Zahl, soweit bekannt wie bei den anderen seriellen Raten: 0 = 115200, 1 = 57600, 2 = 38400, 3 = 19200, 4 = 9600, 5 = 256000.</translation>
     </message>
     <message>
         <source>Rate bit 0</source>

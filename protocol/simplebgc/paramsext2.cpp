@@ -51,7 +51,8 @@ constexpr ParameterRow kParamsExt2Rows[] = {
      .block = ParamsExt2, .offset = 3, .count = 2, .countStride = 8, .defaults = {154}, .scope = Scope::Board,
      .since = 2600},
     {.key = "mavlink.channel%n.flags", .label = "MAVLink channel %1: options", .group = "MAVLink",
-     .help = "Rate and content of this MAVLink channel.",
+     .help = "Rate and content of this MAVLink channel. The three bits of the rate are one number, coded like the other "
+             "serial speeds as far as is known: 0 = 115200, 1 = 57600, 2 = 38400, 3 = 19200, 4 = 9600, 5 = 256000.",
      .block = ParamsExt2, .offset = 4, .kind = ValueKind::Flags, .count = 2, .countStride = 8,
      .choices = kMavlinkFlags, .scope = Scope::Board, .since = 2600},
     {.key = "motor.%a.magnetic_link", .label = "Magnetic link", .group = "Motors",
