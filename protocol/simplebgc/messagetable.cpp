@@ -339,10 +339,10 @@ constexpr FieldSpec kControlExtAxis[] = {
 constexpr FieldSpec kControlExt[] = {parts("set", U16, kControlExtBits), when("set", isAxisSet, perAxis(kControlExtAxis))};
 constexpr FieldSpec kSync[] = {number("axis", U8), number("power", U8), number("time", U16, "ms"), number("angle", U16, "°", kDegreesPerCount)};
 constexpr FieldSpec kDriver[] = {number("driver", U8), number("time", U16, "ms"), rest("data")};
-constexpr FieldSpec kExtAction[] = {number("motors", U8), word("action", U8, kMotorActions)};
+constexpr BitsSpec kExtMotorBits[] = {{"first", 0}, {"second", 1}, {"third", 2}, {"fourth", 3}, {"fifth", 4}, {"sixth", 5}, {"seventh", 6}, {"confirm", 7}};
+constexpr FieldSpec kExtAction[] = {parts("motors", U8, kExtMotorBits), word("action", U8, kMotorActions)};
 // The errata (3.23) name what EXT_MOTORS_x and CONTROL_QUAT_x hold in the order of the bits; which bit is which, and the fields of the two
 // that tell a state, are after the public rendering of the specification of 2025 that they cite.
-constexpr BitsSpec kExtMotorBits[] = {{"first", 0}, {"second", 1}, {"third", 2}, {"fourth", 3}, {"fifth", 4}, {"sixth", 5}, {"seventh", 6}, {"confirm", 7}};
 constexpr BitsSpec kExtControlBits[] = {{"wide_target", 0}, {"parameter", 1}, {"wide_parameter", 2}};
 constexpr FieldSpec kExtTarget[] = {
     when("set", hasBit<0>, number("target", S32)), when("set", lacksBit<0>, number("target", S16)), when("set", hasBit<1>, number("parameter", S16)),

@@ -261,7 +261,8 @@ row('EXT_SENS_CMD', '<', b'\x02cd', 'command=2')
 row('TRANSPARENT_SAPI', '>', b'\x01ab', 'target=1')
 row('TRANSPARENT_SAPI', '<', b'abc', '')
 row('CAN_DRV_TELEMETRY', '<', p('BH', 1, 500) + b'ab', 'driver=1 time=500')
-row('EXT_MOTORS_ACTION', '>', b'\x81\x04', 'motors=129 action=4')
+# which bit says what, and the fields of the two states: the public rendering of the specification of 2025 that the errata cite
+row('EXT_MOTORS_ACTION', '>', b'\x81\x04', 'motors.first=1 motors.confirm=1 motors.second=0 action=4')
 row('EXT_MOTORS_CONTROL', '>', p('BBh', 1, 0, -5), 'motors.first=1 motors.confirm=0 set.wide_target=0 motor1.target=-5')
 row('EXT_MOTORS_CONTROL', '>', p('BBihih', 0x83, 3, 70000, 7, -70000, 8),
     'motors.second=1 motors.confirm=1 set.wide_target=1 set.parameter=1 motor1.target=70000 motor1.parameter=7 motor2.target=-70000 motor2.parameter=8')

@@ -179,7 +179,7 @@ inline constexpr SbgcVector kSbgcVectors[] = {
     {"TRANSPARENT_SAPI", '>', "016162", "target=1"},
     {"TRANSPARENT_SAPI", '<', "616263", ""},
     {"CAN_DRV_TELEMETRY", '<', "01f4016162", "driver=1 time=500"},
-    {"EXT_MOTORS_ACTION", '>', "8104", "motors=129 action=4"},
+    {"EXT_MOTORS_ACTION", '>', "8104", "motors.first=1 motors.confirm=1 motors.second=0 action=4"},
     {"EXT_MOTORS_CONTROL", '>', "0100fbff", "motors.first=1 motors.confirm=0 set.wide_target=0 motor1.target=-5"},
     {"EXT_MOTORS_CONTROL", '>', "830370110100070090eefeff0800", "motors.second=1 motors.confirm=1 set.wide_target=1 set.parameter=1 motor1.target=70000 motor1.parameter=7 motor2.target=-70000 motor2.parameter=8"},
     {"EXT_MOTORS_CONTROL", '>', "0404050070110100", "motors.third=1 motor1.target=5 motor1.wide_parameter=70000"},
