@@ -4474,6 +4474,66 @@
     </message>
 </context>
 <context>
+    <name>FirmwareText</name>
+    <message numerus="yes">
+        <source>%n parameter(s)</source>
+        <translation>
+            <numerusform>%n Parameter</numerusform>
+            <numerusform>%n Parameter</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n action(s)</source>
+        <translation>
+            <numerusform>%n Aktion</numerusform>
+            <numerusform>%n Aktionen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n live variable(s)</source>
+        <translation>
+            <numerusform>%n Live-Variable</numerusform>
+            <numerusform>%n Live-Variablen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n way(s) of steering</source>
+        <translation>
+            <numerusform>%n Steuerart</numerusform>
+            <numerusform>%n Steuerarten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stream(s)</source>
+        <translation>
+            <numerusform>%n Datenstrom</numerusform>
+            <numerusform>%n Datenströme</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n channel(s) of live data</source>
+        <translation>
+            <numerusform>%n Kanal mit Live-Daten</numerusform>
+            <numerusform>%n Kanäle mit Live-Daten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Newer firmware would bring: %1.</source>
+        <translation>Neuere Firmware brächte: %1.</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parameter(s) no longer</source>
+        <translation>
+            <numerusform>%n Parameter nicht mehr</numerusform>
+            <numerusform>%n Parameter nicht mehr</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>FlightOverview</name>
     <message>
         <source>%1 % (reported: %2)</source>
@@ -18295,10 +18355,6 @@ Spitze %2°</translation>
         <translation>Die Plätze, die ein Skript enthalten, mit seiner Größe.</translation>
     </message>
     <message>
-        <source>Rate and content of this MAVLink channel. The three bits of the rate are one number, coded like the other serial speeds as far as is known: 0 = 115200, 1 = 57600, 2 = 38400, 3 = 19200, 4 = 9600, 5 = 256000.</source>
-        <translation>Rate und Inhalt dieses MAVLink-Kanals. Die drei Bits der Rate sind eine Zahl, soweit bekannt wie bei den anderen seriellen Raten: 0 = 115200, 1 = 57600, 2 = 38400, 3 = 19200, 4 = 9600, 5 = 256000.</translation>
-    </message>
-    <message>
         <source>Rate bit 0</source>
         <translation>Rate Bit 0</translation>
     </message>
@@ -18613,6 +18669,38 @@ Spitze %2°</translation>
     <message>
         <source>The camera is mounted as it will be used, with its lens and its cables. The frame stands still, best on a stand.</source>
         <translation>Die Kamera ist montiert, wie sie benutzt wird, mit Objektiv und Kabeln. Der Rahmen steht still, am besten auf einem Stativ.</translation>
+    </message>
+    <message>
+        <source>It is a special build, which may lack things or do them in another way.</source>
+        <translation>Es ist eine Sonderversion, der manches fehlen kann oder die es anders macht.</translation>
+    </message>
+    <message>
+        <source>It steers all axes in one mode: none can be left as it is.</source>
+        <translation>Sie steuert alle Achsen in einem Modus: keine kann bleiben, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>It streams no live data: they are asked for one by one, and come more slowly.</source>
+        <translation>Sie sendet Live-Daten nicht von selbst: Sie werden einzeln abgefragt und kommen langsamer.</translation>
+    </message>
+    <message>
+        <source>On a serial line it needs even parity.</source>
+        <translation>An einer seriellen Leitung braucht sie gerade Parität.</translation>
+    </message>
+    <message>
+        <source>Rate and content of this MAVLink channel. The three bits of the rate are one number, coded like the other serial speeds as far as is known: 0 = 115200, 1 = 57600, 2 = 38400, 3 = 19200, 4 = 9600, 5 = 256000.</source>
+        <translation>Rate und Inhalt dieses MAVLink-Kanals. Die drei Bits der Rate sind eine Zahl, soweit bekannt wie bei den anderen seriellen Raten: 0 = 115200, 1 = 57600, 2 = 38400, 3 = 19200, 4 = 9600, 5 = 256000.</translation>
+    </message>
+    <message>
+        <source>This firmware is newer than any that this program knows: everything is shown, and nothing is written.</source>
+        <translation>Diese Firmware ist neuer als jede, die dieses Programm kennt: Alles wird gezeigt, nichts wird geschrieben.</translation>
+    </message>
+    <message>
+        <source>This firmware is older than any that this program knows: everything is shown, and nothing is written.</source>
+        <translation>Diese Firmware ist älter als jede, die dieses Programm kennt: Alles wird gezeigt, nichts wird geschrieben.</translation>
+    </message>
+    <message>
+        <source>This program knows this firmware. No fault of it is documented.</source>
+        <translation>Dieses Programm kennt diese Firmware. Ein Fehler von ihr ist nicht dokumentiert.</translation>
     </message>
 </context>
 <context>

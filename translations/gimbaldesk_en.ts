@@ -283,6 +283,58 @@
     </message>
 </context>
 <context>
+    <name>FirmwareText</name>
+    <message numerus="yes">
+        <source>%n parameter(s)</source>
+        <translation>
+            <numerusform>%n parameter</numerusform>
+            <numerusform>%n parameters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n action(s)</source>
+        <translation>
+            <numerusform>%n action</numerusform>
+            <numerusform>%n actions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n live variable(s)</source>
+        <translation>
+            <numerusform>%n live variable</numerusform>
+            <numerusform>%n live variables</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n way(s) of steering</source>
+        <translation>
+            <numerusform>%n way of steering</numerusform>
+            <numerusform>%n ways of steering</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stream(s)</source>
+        <translation>
+            <numerusform>%n stream</numerusform>
+            <numerusform>%n streams</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n channel(s) of live data</source>
+        <translation>
+            <numerusform>%n channel of live data</numerusform>
+            <numerusform>%n channels of live data</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parameter(s) no longer</source>
+        <translation>
+            <numerusform>%n parameter no longer</numerusform>
+            <numerusform>%n parameters no longer</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>Leaving</name>
     <message numerus="yes">
         <source>%n change(s) are not on the board.</source>

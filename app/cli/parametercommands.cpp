@@ -4,6 +4,7 @@
 #include "protocol/base/linkloss.h"
 #include "protocol/configuration/aftermath.h"
 #include "protocol/configuration/rounding.h"
+#include "protocol/device/firmwareadvice.h"
 #include "protocol/procedure/inuse.h"
 #include "protocol/procedure/motorsnow.h"
 #include "widgets/models/parametermodel.h"
@@ -11,6 +12,8 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <array>
+#include <tuple>
 
 using namespace Qt::StringLiterals;
 
@@ -66,6 +69,52 @@ QJsonObject parameterJson(const ParameterSpec &spec, int profile, double raw)
     return json;
 }
 
+// "3 actions (signals, statistics, profile_set)".
+QString gainedText(const QString &what, const QStringList &keys, bool areNamed)
+{
+    const QString noun = keys.size() == 1 && what.endsWith(u's') ? what.chopped(1) : what;
+    const QString count = u"%1 %2"_s.arg(keys.size()).arg(noun);
+    return areNamed ? u"%1 (%2)"_s.arg(count, keys.join(u", "_s)) : count;
+}
+
+// What is known of the firmware, and what newer ones would change in this program.
+void tellFirmware(const FirmwareAdvice &advice, QString &text, QJsonObject &json)
+{
+    QJsonArray remarks;
+    for (const FirmwareRemark &remark : advice.firmwareRemarks()) {
+        remarks.append(
+            QJsonObject{{u"text"_s, QString::fromUtf8(remark.text)}, {u"caution"_s, remark.isCaution}});
+        text += u"%1 %2\n"_s.arg((remark.isCaution ? u"caution"_s : u"remark"_s).leftJustified(12),
+                                 QString::fromUtf8(remark.text));
+    }
+    QJsonArray steps;
+    for (const FirmwareStep &step : advice.firmwareSteps()) {
+        const std::array<std::tuple<QString, QStringList, bool>, 8> kinds{{
+            {u"actions"_s, step.actions, true},
+            {u"parameters"_s, step.parameters, false},
+            {u"variables"_s, step.variables, false},
+            {u"modes"_s, step.modes, true},
+            {u"streams"_s, step.streams, true},
+            {u"channels"_s, step.channels, false},
+            {u"commands"_s, step.commands, false},
+            {u"gone"_s, step.gone, false},
+        }};
+        QJsonObject object{{u"firmware"_s, step.firmware}, {u"about"_s, step.isAbout}};
+        QStringList parts;
+        for (const auto &[what, keys, areNamed] : kinds) {
+            object.insert(what, QJsonArray::fromStringList(keys));
+            if (!keys.isEmpty())
+                parts.append(gainedText(what, keys, areNamed));
+        }
+        steps.append(object);
+        text += u"%1 %2%3: %4\n"_s.arg(u"would bring"_s.leftJustified(12),
+                                       step.isAbout ? u"about "_s : QString(), step.firmware,
+                                       parts.join(u", "_s));
+    }
+    json.insert(u"firmwareRemarks"_s, remarks);
+    json.insert(u"firmwareSteps"_s, steps);
+}
+
 class InfoCommand final : public BoardCommand
 {
 public:
@@ -94,7 +143,6 @@ public:
         const QString called = history().nameOf(identity.serial);
         if (!called.isEmpty())
             known.insert(u"called"_s, called);
-        outcome.json = known;
         // Its own name, where the family has one.
         const QString own = identity.extra.value(u"name"_s).toString();
         // Of its protocol.
@@ -109,6 +157,9 @@ public:
                   .arg(identity.profileCount)
                   .arg(identity.usb ? u"USB"_s : identity.extra.value(u"port"_s, u"UART"_s).toString(),
                        capabilities.join(u", "_s));
+        if (const FirmwareAdvice *advice = firmwareAdvice(&device))
+            tellFirmware(*advice, outcome.text, known);
+        outcome.json = known;
         return outcome;
     }
 };

@@ -188,6 +188,8 @@ Result<BoardIdentity> Device::identify(Channel &channel)
     identity.extra.insert(u"board.version"_s, info->boardVersion);
     identity.extra.insert(u"debug_mode"_s, info->debugMode);
     identity.extra.insert(u"features"_s, info->features);
+    if (info->extraId != 0 || info->baseFirmware != 0)
+        identity.extra.insert(kSpecialBuild, true);
 
     // Boards without BOARD_INFO_3 still have to be told apart in the history, as far as possible.
     identity.serial = u"sbgc-%1-%2"_s.arg(info->boardVersion).arg(info->extraId, 8, 16, QChar(u'0'));

@@ -6,6 +6,7 @@
 #include "protocol/device/bearings.h"
 #include "protocol/device/family.h"
 #include "protocol/device/setupfacts.h"
+#include "protocol/device/firmwareadvice.h"
 #include "protocol/device/steering.h"
 #include "protocol/session/channel.h"
 #include "protocol/session/controlstream.h"
@@ -30,11 +31,14 @@ class Device final : public ::Device,
                      public NotchFilters,
                      public RestartNotice,
                      public SetupFacts
+                     public FirmwareAdvice
 {
 public:
     /// Firmware numbers that this program has tables for; others open read-only.
     static constexpr int kOldestFirmware = 2400;
     static constexpr int kNewestFirmware = 2749;
+    /// Key in BoardIdentity::extra, true: BOARD_INFO names a special or experimental build.
+    static inline const QString kSpecialBuild = QStringLiteral("special_build");
 
     Device();
     ~Device() override;
@@ -82,6 +86,8 @@ public:
     /// Null for firmware that has to be polled.
     [[nodiscard]] const StreamControl *streamControl() const override { return canStream() ? this : nullptr; }
     [[nodiscard]] QList<StreamSpec> streams() const override;
+    /// Of firmware that can stream.
+    [[nodiscard]] static QStringList streamKeys();
     [[nodiscard]] QList<int> fastChannels() const override;
     [[nodiscard]] Result<StreamBudget> streamBudget(const Subscription &subscription,
                                                     std::optional<LineSettings> line) const override;
@@ -132,6 +138,8 @@ public:
 
     [[nodiscard]] const SetupFacts *setupFacts() const override { return this; }
     [[nodiscard]] SetupKeys setupKeys() const override;
+    [[nodiscard]] std::vector<FirmwareRemark> firmwareRemarks() const override;
+    [[nodiscard]] std::vector<FirmwareStep> firmwareSteps() const override;
 
     /// One axis of CONTROL, as the board understands it.
     struct AxisControl

@@ -246,6 +246,14 @@ QList<StreamSpec> Device::streams() const
     return specs;
 }
 
+QStringList Device::streamKeys()
+{
+    QStringList keys;
+    for (const StreamKind &kind : streamKinds())
+        keys.append(kind.key);
+    return keys;
+}
+
 Result<StreamBudget> Device::streamBudget(const Subscription &subscription,
                                           std::optional<LineSettings> line) const
 {

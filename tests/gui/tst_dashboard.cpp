@@ -61,6 +61,7 @@ private slots:
     void limitsAndFollowing_data();
     void limitsAndFollowing();
     void faultsAreLarge();
+    void firmwareIsJudged();
     void linkIsShownBothWays();
     void noThirdIsEmpty_data();
     void noThirdIsEmpty();
@@ -295,6 +296,25 @@ void TestDashboard::faultsAreLarge()
     QCOMPARE(only<BatteryView>(page)->state(), BatteryView::State::Empty);
     rig.workspace().changeWorld(u"battery=12.3"_s);
     QTRY_VERIFY(!page->findChild<QFrame *>(u"fault"_s));
+}
+
+void TestDashboard::firmwareIsJudged()
+{
+    WindowRig rig;
+    QVERIFY(rig.open(u"sim:simplebgc?firmware=2.54"_s));
+    auto *page = rig.page<DashboardPage>();
+    QTRY_VERIFY(says(page, u"This program knows this firmware"_s));
+    QVERIFY(says(page, u"It streams no live data"_s));
+    const QLabel *gain = nullptr;
+    for (const QLabel *label : page->findChildren<QLabel *>()) {
+        if (label->text().startsWith(u"Newer firmware would bring: "_s))
+            gain = label;
+    }
+    QVERIFY(gain);
+    QVERIFY2(gain->toolTip().contains(u"\n2.59b0: 1 action"_s), qPrintable(gain->toolTip()));
+    // Other families are not judged by a number.
+    QVERIFY(rig.open(kStorm));
+    QTRY_VERIFY(!says(page, u"This program knows this firmware"_s));
 }
 
 void TestDashboard::linkIsShownBothWays()

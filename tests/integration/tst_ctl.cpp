@@ -42,6 +42,7 @@ private slots:
     void init();
     void cleanup();
     void info();
+    void firmwareIsJudged();
     void memoriesAreCompared();
     void listAndGet();
     void setWritesAndTells();
@@ -134,6 +135,29 @@ void TestCtl::info()
     QCOMPARE(run.exitCode, 0);
     QVERIFY(run.out.contains(u"SimpleBGC 3.0"_s));
     QCOMPARE(ctl({u"--json"_s, u"info"_s}).json().object().value(u"firmware"_s).toString(), u"2.59b0"_s);
+}
+
+// What is known of it, and what newer ones would change here, by the tables.
+void TestCtl::firmwareIsJudged()
+{
+    const Run old = ctl({u"--link"_s, u"sim:simplebgc?firmware=2.40"_s, u"--json"_s, u"info"_s}, false);
+    QCOMPARE(old.exitCode, 0);
+    const QJsonObject info = old.json().object();
+    const QJsonArray remarks = info.value(u"firmwareRemarks"_s).toArray();
+    QCOMPARE(remarks.size(), 4);
+    QVERIFY(remarks[1].toObject().value(u"text"_s).toString().contains(u"even parity"_s));
+    QCOMPARE(remarks[0].toObject().value(u"caution"_s).toBool(true), false);
+    bool hasStreams = false;
+    for (const QJsonValue &each : info.value(u"firmwareSteps"_s).toArray()) {
+        const QJsonObject step = each.toObject();
+        hasStreams |= step.value(u"firmware"_s).toString() == u"2.59b0"_s
+            && step.value(u"streams"_s).toArray().contains(u"custom"_s);
+    }
+    QVERIFY2(hasStreams, qPrintable(old.out));
+    const Run run = ctl({u"info"_s});
+    QVERIFY2(run.out.contains(u"remark       This program knows this firmware."_s), qPrintable(run.out));
+    QVERIFY2(run.out.contains(u"would bring  2.62b0: 1 action (profile_set)\n"_s), qPrintable(run.out));
+    QVERIFY2(!run.out.contains(u"would bring  2.59b0"_s), qPrintable(run.out));
 }
 
 void TestCtl::memoriesAreCompared()

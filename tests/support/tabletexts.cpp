@@ -11,6 +11,7 @@
 #include "protocol/guide/setuprecord.h"
 #include "protocol/simplebgc/adjustables.h"
 #include "protocol/simplebgc/faults.h"
+#include "protocol/simplebgc/firmware.h"
 #include "protocol/simplebgc/parametertables.h"
 #include "protocol/simplebgc/telemetrytables.h"
 #include "tests/support/virtualboard.h"
@@ -123,6 +124,8 @@ bool addSimpleBgc(Texts &texts)
         texts.add(remark.text);
     for (const char *word : setupCertificateWords())
         texts.add(word);
+    for (const char *text : simplebgc::firmwareTexts())
+        texts.add(text);
     return true;
 }
 #endif

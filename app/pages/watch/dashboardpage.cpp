@@ -6,9 +6,11 @@
 #include "app/pages/watch/flightoverview.h"
 #include "protocol/device/bearings.h"
 #include "protocol/device/device.h"
+#include "protocol/device/firmwareadvice.h"
 #include "protocol/device/flight.h"
 #include "protocol/session/linkstatistics.h"
 #include "protocol/telemetry/telemetrystore.h"
+#include "widgets/models/firmwaretext.h"
 #include "widgets/models/missingtext.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
@@ -438,6 +440,8 @@ void DashboardPage::refreshFaults()
     const Configuration &board = std::as_const(workspace().configuration()).board();
     const QString missing = missingText(board, board.missing());
     keys.append(missing);
+    const FirmwareAdvice *advice = workspace().client().isConnected() ? firmwareAdvice(device) : nullptr;
+    keys.append(advice ? device->identity().firmware : QString());
     const QList<AlarmReport> &alarms = workspace().alarms().all();
     for (const AlarmReport &alarm : alarms)
         keys.append(workspace().alarms().text(alarm).oneLine() + (alarm.isOver ? u'.' : u'!'));
@@ -476,6 +480,16 @@ void DashboardPage::refreshFaults()
     }
     for (const BoardFault &fault : faults)
         m_faultList->addWidget(faultCard(fault));
+    if (!advice)
+        return;
+    for (const FirmwareRemark &remark : advice->firmwareRemarks())
+        add((remark.isCaution ? u"⚠ "_s : QString()) + tableText(remark.text),
+            remark.isCaution ? "warning" : "muted");
+    const std::vector<FirmwareStep> steps = advice->firmwareSteps();
+    if (const QString gain = gainText(steps); !gain.isEmpty()) {
+        add(gain, "muted");
+        m_faultList->itemAt(m_faultList->count() - 1)->widget()->setToolTip(stepsText(steps));
+    }
 }
 
 // What settings and status say of the axes, the frame and the battery.
