@@ -267,6 +267,26 @@
         <source>Last command</source>
         <translation>Letzter Befehl</translation>
     </message>
+    <message>
+        <source>Differences</source>
+        <translation>Unterschiede</translation>
+    </message>
+    <message>
+        <source>Parts of the configuration found in it</source>
+        <translation>Darin gefundene Teile der Konfiguration</translation>
+    </message>
+    <message>
+        <source>The copy is of another board</source>
+        <translation>Die Kopie stammt von einem anderen Board</translation>
+    </message>
+    <message>
+        <source>The copy is of another firmware</source>
+        <translation>Die Kopie stammt von anderer Firmware</translation>
+    </message>
+    <message>
+        <source>Ranges whose meaning is documented nowhere</source>
+        <translation>Bereiche, deren Bedeutung nirgends dokumentiert ist</translation>
+    </message>
 </context>
 <context>
     <name>AdjustableModel</name>
@@ -3991,6 +4011,18 @@
         <source>Measuring</source>
         <translation>Es wird gemessen</translation>
     </message>
+    <message>
+        <source>The board reads its encoders: leave the camera as it stands</source>
+        <translation>Das Board liest seine Geber: lassen Sie die Kamera, wie sie steht</translation>
+    </message>
+    <message>
+        <source>Tilt the frame by hand to all sides</source>
+        <translation>Neigen Sie den Rahmen von Hand nach allen Seiten</translation>
+    </message>
+    <message>
+        <source>Turn the camera in all directions: %1 of 8 are seen</source>
+        <translation>Drehen Sie die Kamera in alle Richtungen: %1 von 8 sind gesehen</translation>
+    </message>
 </context>
 <context>
     <name>EscCard</name>
@@ -5290,10 +5322,6 @@
 <context>
     <name>GuidePage</name>
     <message>
-        <source>Guided set-up</source>
-        <translation>Geführte Einrichtung</translation>
-    </message>
-    <message>
         <source>Leave out</source>
         <translation>Auslassen</translation>
     </message>
@@ -5448,6 +5476,10 @@
     <message>
         <source>camera: balanced on its plate</source>
         <translation>Kamera: auf ihrer Platte ausbalanciert</translation>
+    </message>
+    <message>
+        <source>Gimbal setup</source>
+        <translation>Gimbal einrichten</translation>
     </message>
 </context>
 <context>
@@ -7087,10 +7119,6 @@
     <message>
         <source>Signals</source>
         <translation>Signale</translation>
-    </message>
-    <message>
-        <source>Guided set-up</source>
-        <translation>Geführte Einrichtung</translation>
     </message>
 </context>
 <context>
@@ -9821,18 +9849,6 @@ Spitze %2°</translation>
     <message>
         <source>1 MHz</source>
         <translation>1 MHz</translation>
-    </message>
-    <message>
-        <source>2 MHz</source>
-        <translation>2 MHz</translation>
-    </message>
-    <message>
-        <source>4 MHz</source>
-        <translation>4 MHz</translation>
-    </message>
-    <message>
-        <source>500 kHz</source>
-        <translation>500 kHz</translation>
     </message>
     <message>
         <source>A motor could not hold the camera.</source>
@@ -18701,6 +18717,122 @@ Spitze %2°</translation>
     <message>
         <source>This program knows this firmware. No fault of it is documented.</source>
         <translation>Dieses Programm kennt diese Firmware. Ein Fehler von ihr ist nicht dokumentiert.</translation>
+    </message>
+    <message>
+        <source>2 MHz (in a driver: AS5048A)</source>
+        <translation>2 MHz (im Treiber: AS5048A)</translation>
+    </message>
+    <message>
+        <source>4 MHz (in a driver: AS5048B)</source>
+        <translation>4 MHz (im Treiber: AS5048B)</translation>
+    </message>
+    <message>
+        <source>500 kHz (in a driver: AS5048 PWM)</source>
+        <translation>500 kHz (im Treiber: AS5048 PWM)</translation>
+    </message>
+    <message>
+        <source>Compare the whole memory</source>
+        <translation>Ganzen Speicher vergleichen</translation>
+    </message>
+    <message>
+        <source>Compares the board&apos;s memory with a copy of it. Parameters are named where their place can be found; no document tells it.</source>
+        <translation>Vergleicht den Speicher des Boards mit einer Kopie davon. Parameter werden genannt, wo sich ihr Platz finden lässt; dokumentiert ist er nicht.</translation>
+    </message>
+    <message>
+        <source>Find fields of encoders</source>
+        <translation>Geberfelder finden</translation>
+    </message>
+    <message>
+        <source>In a driver: AMT203</source>
+        <translation>Im Treiber: AMT203</translation>
+    </message>
+    <message>
+        <source>In a driver: AS5600 I2C</source>
+        <translation>Im Treiber: AS5600 I2C</translation>
+    </message>
+    <message>
+        <source>In a driver: AS5600 PWM</source>
+        <translation>Im Treiber: AS5600 PWM</translation>
+    </message>
+    <message>
+        <source>In a driver: MA3 10 bit</source>
+        <translation>Im Treiber: MA3 10 Bit</translation>
+    </message>
+    <message>
+        <source>In a driver: MA3 12 bit</source>
+        <translation>Im Treiber: MA3 12 Bit</translation>
+    </message>
+    <message>
+        <source>In a driver: RLS Orbis</source>
+        <translation>Im Treiber: RLS Orbis</translation>
+    </message>
+    <message>
+        <source>In a driver: RLS Orbis PWM</source>
+        <translation>Im Treiber: RLS Orbis PWM</translation>
+    </message>
+    <message>
+        <source>In a driver: analog</source>
+        <translation>Im Treiber: analog</translation>
+    </message>
+    <message>
+        <source>Match flight controller</source>
+        <translation>Flugregler angleichen</translation>
+    </message>
+    <message>
+        <source>Read state</source>
+        <translation>Zustand lesen</translation>
+    </message>
+    <message>
+        <source>Take position as zero of encoders</source>
+        <translation>Lage als Gebernull nehmen</translation>
+    </message>
+    <message>
+        <source>The board turns each motor there and back to find where its magnets stand against the encoder. A wrong value makes the motor weak, or it runs away.</source>
+        <translation>Das Board dreht jeden Motor hin und zurück und findet so, wie seine Magnete zum Geber stehen. Mit einem falschen Wert ist der Motor schwach oder läuft davon.</translation>
+    </message>
+    <message>
+        <source>The camera is held in the hand</source>
+        <translation>Die Kamera wird in der Hand gehalten</translation>
+    </message>
+    <message>
+        <source>The camera is level and looks straight ahead, as in its normal position</source>
+        <translation>Die Kamera steht waagerecht und blickt geradeaus wie in der Normallage</translation>
+    </message>
+    <message>
+        <source>Tilt the frame by hand to all sides until it ends: the board compares its angle with the signal of the flight controller.</source>
+        <translation>Neigen Sie den Rahmen von Hand nach allen Seiten, bis es endet: das Board vergleicht seinen Winkel mit dem Signal des Flugreglers.</translation>
+    </message>
+    <message>
+        <source>Turn by</source>
+        <translation>Drehen um</translation>
+    </message>
+    <message>
+        <source>Turn the camera in all directions until it ends. Motors are off meanwhile, so hold it, and keep away from iron and cables.</source>
+        <translation>Drehen Sie die Kamera in alle Richtungen, bis es endet. Die Motoren sind währenddessen aus: halten Sie die Kamera fest, fern von Eisen und Kabeln.</translation>
+    </message>
+    <message>
+        <source>What the board is calibrating, and which of its modes are on.</source>
+        <translation>Was das Board kalibriert und welche seiner Modi an sind.</translation>
+    </message>
+    <message>
+        <source>What the encoders read now becomes the zero of the motors&apos; angles. Nothing is turned.</source>
+        <translation>Was die Geber jetzt lesen, wird die Null der Motorwinkel. Nichts wird gedreht.</translation>
+    </message>
+    <message>
+        <source>an encoder on SPI has one of four speeds, and none inside</source>
+        <translation>ein Geber an SPI hat eine von vier Geschwindigkeiten und keinen anderen in sich</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Pitch</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Roll</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>Yaw</translation>
     </message>
 </context>
 <context>

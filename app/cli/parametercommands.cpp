@@ -157,7 +157,7 @@ public:
                   .arg(identity.profileCount)
                   .arg(identity.usb ? u"USB"_s : identity.extra.value(u"port"_s, u"UART"_s).toString(),
                        capabilities.join(u", "_s));
-        if (const FirmwareAdvice *advice = firmwareAdvice(&device))
+        if (const FirmwareAdvice *advice = device.firmwareAdvice())
             tellFirmware(*advice, outcome.text, known);
         outcome.json = known;
         return outcome;

@@ -128,7 +128,7 @@ constexpr PageEntry kPages[] = {
     {"monitor", QT_TRANSLATE_NOOP("Pages", "Monitor"), QT_TRANSLATE_NOOP("Pages", "Watch"), makePage<MonitorPage>},
     {"blackbox", QT_TRANSLATE_NOOP("Pages", "Black box"), QT_TRANSLATE_NOOP("Pages", "Watch"), makePage<BlackBoxPage>, isBlackBox},
     {"debug", QT_TRANSLATE_NOOP("Pages", "Debug variables"), QT_TRANSLATE_NOOP("Pages", "Watch"), makePage<DebugPage>, hasInnerVariables},
-    {"guide", QT_TRANSLATE_NOOP("Pages", "Guided set-up"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<GuidePage>, canBeGuided},
+    {"guide", QT_TRANSLATE_NOOP("Pages", "Gimbal setup"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<GuidePage>, canBeGuided},
     {"parameters", QT_TRANSLATE_NOOP("Pages", "Parameters"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<ParametersPage>, isBoard},
     {"profiles", QT_TRANSLATE_NOOP("Pages", "Profiles"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<ProfilesPage>, hasProfiles},
     {"scripts", QT_TRANSLATE_NOOP("Pages", "Scripts"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<ScriptsPage>, keepsScripts},

@@ -7,7 +7,6 @@
 
 #include <QBoxLayout>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -91,9 +90,7 @@ SimulatedHands::SimulatedHands(Workspace &workspace, const Places &places, QWidg
                                const QString &title)
     : Card(title.isEmpty() ? tr("Simulated gimbal: your hands") : title, parent)
     , m_workspace(workspace)
-    , m_row(new QHBoxLayout)
 {
-    content()->addLayout(m_row);
     if (!places.isEmpty())
         add(u"pose"_s, tr("Where the simulated camera is"), places);
     const auto update = [this] { setVisible(m_workspace.isSimulated()); };
@@ -114,7 +111,7 @@ void SimulatedHands::add(const QString &what, const QString &accessibleName, con
     for (const auto &[name, number] : places)
         box->addItem(name, number);
     box->setCurrentIndex(box->findData(now));
-    m_row->addWidget(box, 1);
+    content()->addWidget(box);
     connect(box, &QComboBox::activated, this,
             [this, what, box] { m_workspace.changeWorld(what + u'=' + box->currentData().toString()); });
     connect(&m_workspace, &Workspace::worldChanged, this, [what, box](const QString &assignment) {

@@ -8,7 +8,6 @@
 #include <QListWidget>
 
 class QBoxLayout;
-class QHBoxLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -63,5 +62,4 @@ public:
 
 private:
     Workspace &m_workspace;
-    QHBoxLayout *m_row;
 };

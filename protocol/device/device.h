@@ -14,6 +14,7 @@
 class Bearings;
 class Channel;
 class FaultWords;
+class FirmwareAdvice;
 class FlyingMachine;
 class FrameInspector;
 class GainShape;
@@ -99,6 +100,7 @@ public:
     [[nodiscard]] virtual const Bearings *bearings() const { return nullptr; }
     [[nodiscard]] virtual const StatusWords *statusWords() const { return nullptr; }
     [[nodiscard]] virtual const SetupFacts *setupFacts() const { return nullptr; }
+    [[nodiscard]] virtual const FirmwareAdvice *firmwareAdvice() const { return nullptr; }
     [[nodiscard]] virtual const NotchFilters *notchFilters() const { return nullptr; }
     [[nodiscard]] virtual std::shared_ptr<const GainShape> gainShape() const { return nullptr; }
     [[nodiscard]] virtual const RestartNotice *restartNotice() const { return nullptr; }

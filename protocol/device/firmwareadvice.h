@@ -6,8 +6,6 @@
 
 #include <vector>
 
-class Device;
-
 /// What this program gains, and loses, from one firmware on.
 struct FirmwareStep
 {
@@ -46,6 +44,3 @@ public:
     /// What newer ones bring, up to the newest that this program knows, the oldest first.
     [[nodiscard]] virtual std::vector<FirmwareStep> firmwareSteps() const = 0;
 };
-
-/// Null: nothing can be told. An interface like those in abilities.h, which a family adds to its device.
-[[nodiscard]] const FirmwareAdvice *firmwareAdvice(const Device *device);

@@ -5,8 +5,8 @@
 #include "protocol/device/abilities.h"
 #include "protocol/device/bearings.h"
 #include "protocol/device/family.h"
-#include "protocol/device/setupfacts.h"
 #include "protocol/device/firmwareadvice.h"
+#include "protocol/device/setupfacts.h"
 #include "protocol/device/steering.h"
 #include "protocol/session/channel.h"
 #include "protocol/session/controlstream.h"
@@ -30,7 +30,7 @@ class Device final : public ::Device,
                      public Bearings,
                      public NotchFilters,
                      public RestartNotice,
-                     public SetupFacts
+                     public SetupFacts,
                      public FirmwareAdvice
 {
 public:
@@ -138,6 +138,8 @@ public:
 
     [[nodiscard]] const SetupFacts *setupFacts() const override { return this; }
     [[nodiscard]] SetupKeys setupKeys() const override;
+
+    [[nodiscard]] const FirmwareAdvice *firmwareAdvice() const override { return this; }
     [[nodiscard]] std::vector<FirmwareRemark> firmwareRemarks() const override;
     [[nodiscard]] std::vector<FirmwareStep> firmwareSteps() const override;
 

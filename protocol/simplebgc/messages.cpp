@@ -333,15 +333,6 @@ QString FieldValue::text() const
         const QString unit = QString::fromUtf8(spec->unit);
         shown += unit.startsWith(u'°') || unit == u"%"_s ? unit : u' ' + unit;
     }
-    if (spec->isFlags) {
-        QStringList set;
-        for (const Choice &bit : spec->words) {
-            if (quint32(number) >> bit.value & 1)
-                set.append(QLatin1String(bit.name));
-        }
-        return set.isEmpty() ? shown : u"%1 (%2)"_s.arg(shown, set.join(u", "_s));
-    }
-    const auto word = std::find_if(spec->words.begin(), spec->words.end(), [this](const Choice &choice) {
     const std::span<const Choice> words = bits ? bits->words : spec->words;
     const auto word = std::find_if(words.begin(), words.end(), [this](const Choice &choice) {
         return choice.value == int(std::lround(number));

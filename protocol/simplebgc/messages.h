@@ -63,7 +63,6 @@ struct FieldSpec
     double scale = 1;  ///< raw x scale = value in that unit
     std::span<const Choice> words{};  ///< of its numbers
     std::span<const FieldSpec> inner{};
-    bool isFlags = false;  ///< the words are of its bits
     std::span<const BitsSpec> bits{};  ///< what it is made of; none: one number
     Presence when{};
 };

@@ -24,11 +24,6 @@ constexpr FieldSpec word(const char *name, FieldType type, std::span<const Choic
     return number(name, type, "", 1, words);
 }
 
-constexpr FieldSpec flags(const char *name, FieldType type, std::span<const Choice> bits)
-{
-    return {name, type, 1, Elements::One, "", 1, bits, {}, true};
-}
-
 constexpr FieldSpec axes(const char *name, FieldType type, const char *unit = "", double scale = 1)
 {
     return {name, type, 3, Elements::Axes, unit, scale, {}, {}};
@@ -82,6 +77,16 @@ constexpr FieldSpec parts(const char *name, FieldType type, std::span<const Bits
 {
     return {name, type, 1, Elements::One, "", 1, {}, {}, bits};
 }
+
+// Flags by their names.
+template <std::size_t kCount> constexpr std::array<BitsSpec, kCount> flagsOf(const Choice (&choices)[kCount])
+{
+    std::array<BitsSpec, kCount> bits{};
+    for (std::size_t i = 0; i < kCount; ++i)
+        bits[i] = {choices[i].name, choices[i].value};
+    return bits;
+}
+constexpr auto kStateBits = flagsOf(kStateFlags);
 
 constexpr FieldSpec quaternion(const char *name)
 {
@@ -168,7 +173,7 @@ constexpr FieldSpec kRealtime4[] = {
     number("current", U16, "mA"), axes("mag", S16), number("temperature", S8, "°C"), number("frame.temperature", S8, "°C"),
     number("gravity.error", U8, "°", 0.1), number("heading.error", U8, "°", 0.1), axes("output", S16, "%", 0.01),
     word("calibration", U8, kCalibModes), number("can.error", U8), axes("actual", S16, "°", kDegreesPerCount),
-    flags("state", U32, kStateFlags), reserved(18)};
+    parts("state", U32, kStateBits), reserved(18)};
 constexpr FieldSpec kSelectImu[] = {word("imu", U8, kTwoImus), number("action", U8), number("time", U16, "ms"), reserved(8)};
 constexpr FieldSpec kMotor[] = {word("motor", U8, kMotorNames)};
 constexpr FieldSpec kFieldOffset[] = {axes("angle", S16, "°", kDegreesPerCount), axes("speed", S16, "°/s", kGyroUnit), number("flags", U16)};

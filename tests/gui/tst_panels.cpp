@@ -7,6 +7,7 @@
 #include "app/mainwindow/translations.h"
 #include "app/pages/board/actionspage.h"
 #include "app/pages/board/backupspage.h"
+#include "app/pages/setup/guidepage.h"
 #include "app/pages/setup/profilespage.h"
 #include "app/pages/setup/scriptspage.h"
 #include "app/pages/tune/spectrumpage.h"
@@ -62,6 +63,7 @@ constexpr PanelSite kSites[]{
     {nullptr, "app/mainwindow/leaving.cpp askAboutArmed"},
     {nullptr, "app/pages/board/flighttext.cpp askToOpen"},
     {nullptr, "app/pages/board/flighttext.cpp askToTune"},
+    {"forget", "app/pages/setup/guidepage.cpp forget"},
     {nullptr, "app/families/bcflight/picturesettings.cpp openLens"},
     {nullptr, "app/workspace/filedialogs.cpp openBeside"},  // see fileDialogsLeaveTheMotorsInReach
     {nullptr, "app/workspace/filedialogs.cpp askToReplace"},  // comes after it; see tst_filedialogs
@@ -291,6 +293,9 @@ QDialog *TestPanels::open(const QString &name)
         if (!workspace().saveFile(path))
             return nullptr;
         m_rig->page<ProfilesPage>()->loadInto(path, 2);
+    } else if (name == u"forget"_s) {
+        auto *page = m_rig->page<GuidePage>();
+        page->forgetButton()->click();
     } else if (name == u"notch"_s) {
         // Gains that make the structure ring.
         m_rig->edit(u"pid.roll.p"_s, 0, 100);

@@ -78,7 +78,7 @@ void TestSbgcFirmware::firmwareIsJudged()
     QFETCH(int, remarks);
     const SbgcRig rig(firmware);
     QCOMPARE(rig.device.identity().writable, isWritable);
-    QCOMPARE(firmwareAdvice(&rig.device), static_cast<const FirmwareAdvice *>(&rig.device));
+    QCOMPARE(rig.device.firmwareAdvice(), static_cast<const FirmwareAdvice *>(&rig.device));
     const QStringList told = remarksOf(rig.device);
     QVERIFY2(told.first().startsWith(first), qPrintable(told.first()));
     QCOMPARE(told.size(), remarks);

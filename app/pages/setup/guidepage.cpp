@@ -31,7 +31,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kStepListWidth = 240;
+constexpr int kStepListWidth = 200;
 // % of a usual imbalance, in a simulated world.
 constexpr int kUnbalanced = 500;
 constexpr int kBalanced = 5;
@@ -56,7 +56,7 @@ QString markOf(SetupResult::State state)
 }  // namespace
 
 GuidePage::GuidePage(Workspace &workspace, QWidget *parent)
-    : Page(workspace, u"guide"_s, tr("Guided set-up"), parent)
+    : Page(workspace, u"guide"_s, tr("Gimbal setup"), parent)
     , m_list(new QListWidget)
     , m_title(new QLabel)
     , m_help(new QLabel)

@@ -33,6 +33,7 @@ public:
     [[nodiscard]] QPushButton *beginButton() const { return m_begin; }
     [[nodiscard]] QPushButton *skipButton() const { return m_skip; }
     [[nodiscard]] QPushButton *cancelButton() const { return m_cancel; }
+    [[nodiscard]] QPushButton *forgetButton() const { return m_forget; }
     [[nodiscard]] QCheckBox *confirmBox() const { return m_confirm; }
     [[nodiscard]] ArgumentForm *form() const { return m_form; }
     [[nodiscard]] QTextBrowser *findings() const { return m_findings; }

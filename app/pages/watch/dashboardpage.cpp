@@ -440,7 +440,7 @@ void DashboardPage::refreshFaults()
     const Configuration &board = std::as_const(workspace().configuration()).board();
     const QString missing = missingText(board, board.missing());
     keys.append(missing);
-    const FirmwareAdvice *advice = workspace().client().isConnected() ? firmwareAdvice(device) : nullptr;
+    const FirmwareAdvice *advice = workspace().client().isConnected() ? device->firmwareAdvice() : nullptr;
     keys.append(advice ? device->identity().firmware : QString());
     const QList<AlarmReport> &alarms = workspace().alarms().all();
     for (const AlarmReport &alarm : alarms)
