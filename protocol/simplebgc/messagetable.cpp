@@ -78,16 +78,6 @@ constexpr FieldSpec parts(const char *name, FieldType type, std::span<const Bits
     return {name, type, 1, Elements::One, "", 1, {}, {}, bits};
 }
 
-// Flags by their names.
-template <std::size_t kCount> constexpr std::array<BitsSpec, kCount> flagsOf(const Choice (&choices)[kCount])
-{
-    std::array<BitsSpec, kCount> bits{};
-    for (std::size_t i = 0; i < kCount; ++i)
-        bits[i] = {choices[i].name, choices[i].value};
-    return bits;
-}
-constexpr auto kStateBits = flagsOf(kStateFlags);
-
 constexpr FieldSpec quaternion(const char *name)
 {
     return {name, F32, 4, Elements::Wxyz};
@@ -168,6 +158,8 @@ constexpr FieldSpec kRealtime3[] = {
     axes("frame", S16, "°", kDegreesPerCount), axes("target", S16, "°", kDegreesPerCount), number("cycle", U16, "µs"),
     number("i2c.errors", U16), number("error", U8), number("battery", U16, "V", 0.01), number("flags", U8), word("imu.used", U8, kTwoImus),
     word("profile", U8, kProfiles), axes("power", U8)};
+constexpr BitsSpec kStateBits[] = {{"debug", 0}, {"frame_inverted", 1}, {"start.step1", 2}, {"start.step2", 3}, {"started", 4}, {"power_manager", 5},
+    {"shake", 8}, {"servo", 9}, {"follow.roll", 10}, {"follow.pitch", 11}, {"follow.yaw", 12}, {"tripod", 13}, {"retracted", 14}};
 constexpr FieldSpec kRealtime4[] = {
     group("", kRealtime3, 1, Elements::One), axes("motor", S16, "°", kDegreesPerCount), reserved(1), axes("balance", S16),
     number("current", U16, "mA"), axes("mag", S16), number("temperature", S8, "°C"), number("frame.temperature", S8, "°C"),

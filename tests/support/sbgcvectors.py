@@ -82,7 +82,7 @@ rt4 = rt3 + p('3hx3hH3hbbBB3hBB3hI18x', 64, 128, 192, 1, 2, 3, 1500, 7, 8, 9, 41
 assert len(rt4) == 124
 row('REALTIME_DATA_4', '>', b'', '')
 row('REALTIME_DATA_4', '<', rt4, rt3told + f' motor.roll={64 * D} balance.yaw=3 current=1500 mag.roll=7 temperature=41 frame.temperature=-5 '
-    f'gravity.error=1.5 heading.error=2.5 output.roll=100 output.pitch=-50 calibration=5 can.error=6 actual.yaw={48 * D} state=8192')
+    f'gravity.error=1.5 heading.error=2.5 output.roll=100 output.pitch=-50 calibration=5 can.error=6 actual.yaw={48 * D} state.debug=0 state.started=0 state.tripod=1')
 row('REALTIME_DATA_CUSTOM', '>', p('I6x', 0x119), 'flags=281')
 row('REALTIME_DATA_CUSTOM', '<', p('H', 500) + count(24), 'time=500')
 row('REALTIME_DATA_CUSTOM2', '>', p('I6x', 3), 'flags=3')
