@@ -21,6 +21,7 @@
 #include <QPdfWriter>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTextBrowser>
 #include <QTextDocument>
 #include <QVBoxLayout>
@@ -91,7 +92,9 @@ GuidePage::GuidePage(Workspace &workspace, QWidget *parent)
         u"imbalance"_s, tr("How the camera is mounted"),
         {{tr("camera: far out of balance"), kUnbalanced}, {tr("camera: balanced on its plate"), kBalanced}},
         kUnbalanced);
-    auto *right = new QVBoxLayout;
+    auto *cards = new QWidget;
+    auto *right = new QVBoxLayout(cards);
+    right->setContentsMargins(0, 0, 0, 0);
     right->setSpacing(12);
     right->addWidget(makeStep());
     right->addWidget(m_findings, 1);
@@ -99,7 +102,11 @@ GuidePage::GuidePage(Workspace &workspace, QWidget *parent)
     auto *row = new QHBoxLayout;
     row->setSpacing(12);
     row->addWidget(m_list);
-    row->addLayout(right, 1);
+    auto *scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidget(cards);
+    row->addWidget(scroll, 1);
     body()->addLayout(row, 1);
 
     connect(m_list, &QListWidget::currentRowChanged, this, [this](int at) {
