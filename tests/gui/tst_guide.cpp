@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/setup/guidepage.h"
+#include "protocol/device/abilities.h"
 #include "protocol/device/device.h"
 #include "protocol/telemetry/roles.h"
 #include "tests/support/patience.h"
@@ -29,6 +30,7 @@ private slots:
     void itGoesOnAnotherDay();
     void nothingBeginsUnconfirmed();
     void hiddenItEnds();
+    void cancelledASearchEnds();
     void leftOutIsSaid();
     void aFailureIsToldAndKept();
 
@@ -161,6 +163,39 @@ void TestGuide::hiddenItEnds()
     QTRY_VERIFY(!guide->isUnderWay());
     QCOMPARE(guide->record().result(SetupStep::Vibration).state, State::Failed);
     QVERIFY(!m_rig->workspace().isAtWork() && !m_rig->workspace().live().isHeld());
+}
+
+// The board searches by itself: it is told to end, and uses the gains from before.
+void TestGuide::cancelledASearchEnds()
+{
+    QVERIFY(m_rig->open());
+    const auto inUse = [this] {
+        std::vector<AdjustableValue> values;
+        m_rig->client()
+            .submit<std::vector<AdjustableValue>>(
+                [](Channel &channel, Device &device) { return device.live()->readAllAdjustables(channel); })
+            .then(&m_rig->window(), [&values](const Result<std::vector<AdjustableValue>> &read) {
+                values = read.value_or(std::vector<AdjustableValue>());
+            });
+        std::ignore = m_rig->jobsAreDone();
+        return values;
+    };
+    const auto before = inUse();
+    QVERIFY(!before.empty());
+    page().choose(SetupStep::Gains);
+    int rounds = 0;
+    connect(&m_rig->client(), &DeviceClient::progressChanged, this,
+            [&rounds](const Progress &progress) { rounds += progress.step == u"autotune"_s; });
+    page().beginButton()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(rounds >= 3, kPatience);
+    page().cancelButton()->click();
+    QTRY_VERIFY(!page().isUnderWay());
+    QVERIFY(m_rig->jobsAreDone());
+    QCOMPARE(page().record().result(SetupStep::Gains).state, State::Failed);
+    const int ended = rounds;
+    QVERIFY(m_rig->boardGoesOn(3));
+    QCOMPARE(rounds, ended);
+    QCOMPARE(inUse(), before);
 }
 
 void TestGuide::leftOutIsSaid()

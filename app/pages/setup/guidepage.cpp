@@ -6,6 +6,7 @@
 #include "app/workspace/wizardparts.h"
 #include "protocol/base/filefault.h"
 #include "protocol/client/whendone.h"
+#include "protocol/configuration/aftermath.h"
 #include "protocol/guide/setupguide.h"
 #include "widgets/forms/argumentform.h"
 #include "widgets/forms/keyboard.h"
@@ -115,7 +116,7 @@ GuidePage::GuidePage(Workspace &workspace, QWidget *parent)
     });
     connect(m_begin, &QPushButton::clicked, this, &GuidePage::begin);
     connect(m_skip, &QPushButton::clicked, this, &GuidePage::skip);
-    connect(m_cancel, &QPushButton::clicked, &workspace.client(), &DeviceClient::cancelJobs);
+    connect(m_cancel, &QPushButton::clicked, &workspace.client(), &DeviceClient::cancelMovingJobs);
     connect(m_confirm, &QCheckBox::toggled, this, &GuidePage::updateButtons);
     connect(m_elsewhere, &QPushButton::clicked, this,
             [this] { emit pageWanted(QLatin1String(setupStep(m_chosen).elsewhere)); });
@@ -355,6 +356,7 @@ void GuidePage::finished(SetupStep step, const Result<SetupResult> &result)
         kept.why = describe(result.error()).oneLine();
         if (result.error().code != ErrorCode::Cancelled)
             workspace().notifications().report(result.error());
+        endWhatGoesOn(result.error());
     }
     m_record.set(step, kept);
     save();
@@ -367,6 +369,20 @@ void GuidePage::finished(SetupStep step, const Result<SetupResult> &result)
     updateButtons();
     if (kept.state == SetupResult::State::Done)
         goOn();
+}
+
+// Broken off here, it goes on on the board until that is told to end it, and proves it.
+void GuidePage::endWhatGoesOn(const Error &error)
+{
+    const QString key = error.after ? error.after->endedBy : QString();
+    if (key.isEmpty() || !workspace().client().isConnected())
+        return;
+    whenDone(workspace().client().submit<ActionReply>(
+                 [key](Channel &channel, Device &device) { return device.perform(channel, key, {}); }),
+             this, [this](const Result<ActionReply> &ended) {
+                 if (!ended)
+                     workspace().notifications().report(ended.error());
+             });
 }
 
 // What a step has found stays in sight: the next one is offered in the list, and by a word.
@@ -451,5 +467,5 @@ void GuidePage::hideEvent(QHideEvent *event)
     Page::hideEvent(event);
     // A step that nobody looks at does not go on.
     if (m_running)
-        workspace().client().cancelJobs();
+        workspace().client().cancelMovingJobs();
 }

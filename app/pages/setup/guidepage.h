@@ -57,6 +57,7 @@ private:
     void skip();
     void forget();
     void finished(SetupStep step, const Result<SetupResult> &result);
+    void endWhatGoesOn(const Error &error);
     void goOn();
     void onProgress(const Progress &progress);
 
