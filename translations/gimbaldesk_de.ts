@@ -18467,10 +18467,6 @@ Spitze %2°</translation>
         <translation>Abstand an jedem Ende</translation>
     </message>
     <message>
-        <source>Measures how the camera vibrates while it is held, and which line of each axis is the strongest.</source>
-        <translation>Misst, wie die Kamera vibriert, während sie gehalten wird, und welche Linie jeder Achse die stärkste ist.</translation>
-    </message>
-    <message>
         <source>Measures how well the camera is held, lets the board search its gains, and measures again. Where it is held worse than before, the old gains are written back.</source>
         <translation>Misst, wie gut die Kamera gehalten wird, lässt das Board seine Reglerwerte suchen, und misst noch einmal. Wird sie schlechter gehalten als vorher, werden die alten Werte zurückgeschrieben.</translation>
     </message>
@@ -18509,10 +18505,6 @@ Spitze %2°</translation>
     <message>
         <source>Shows which values follow from what the gimbal is for, and writes them if they are wanted.</source>
         <translation>Zeigt, welche Werte aus der Verwendung des Gimbals folgen, und schreibt sie, wenn sie gewünscht sind.</translation>
-    </message>
-    <message>
-        <source>Some lines stand out: Vibration (page Spectrum) says whether a notch helps, and tries it.</source>
-        <translation>Einige Linien stechen hervor: die Seite Spektrum sagt, ob eine Kerbe hilft, und versucht sie.</translation>
     </message>
     <message>
         <source>Steering reaches what you have shown, less the margin.</source>
@@ -18833,6 +18825,26 @@ Spitze %2°</translation>
     <message>
         <source>yaw</source>
         <translation>Yaw</translation>
+    </message>
+    <message>
+        <source>A notch helps, and is written.</source>
+        <translation>Eine Kerbe hilft, und ist geschrieben.</translation>
+    </message>
+    <message>
+        <source>A notch was tried and did not help: the board holds what it held.</source>
+        <translation>Eine Kerbe wurde versucht und half nicht: das Board hält, was es hielt.</translation>
+    </message>
+    <message>
+        <source>Measures how the camera vibrates while it is held. Where a line of its own stands out, a notch is tried, and kept only where the axis vibrates less with it.</source>
+        <translation>Misst, wie die Kamera vibriert, während sie gehalten wird. Wo eine eigene Linie hervorsticht, wird eine Kerbe versucht, und nur behalten, wo die Achse mit ihr weniger vibriert.</translation>
+    </message>
+    <message>
+        <source>Some lines stand out: the page Spectrum says whether a notch helps, and tries it.</source>
+        <translation>Einige Linien stechen hervor: die Seite Spektrum sagt, ob eine Kerbe hilft, und versucht sie.</translation>
+    </message>
+    <message>
+        <source>Try a notch where a line stands out</source>
+        <translation>Eine Kerbe versuchen, wo eine Linie hervorsticht</translation>
     </message>
 </context>
 <context>

@@ -25,25 +25,11 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double kDepthDb = 20.0;
-constexpr double kMinWidth = 0.25;  // of its frequency
 constexpr std::array<double, 3> kCostHz{5, 10, 20};
 constexpr double kCostShare = 0.7;  // of the notch's frequency: nearer it, the lag says little
 constexpr double kTrialSeconds = 6.0;
 
 }  // namespace
-
-Configuration NotchAdviser::Plan::appliedTo(Configuration configuration) const
-{
-    for (const auto &[key, raw] : values) {
-        if (const ParameterSpec *spec = configuration.parameters().find(key))
-            std::ignore = configuration.setRaw(*spec, profile, raw);
-    }
-    const ParameterSpec *enabled = configuration.parameters().find(filter.enabled);
-    if (const auto bits = enabled ? configuration.raw(*enabled, profile) : std::nullopt)
-        std::ignore = configuration.setRaw(*enabled, profile, flagBits(*bits) | (1U << filter.bit));
-    return configuration;
-}
 
 NotchAdviser::NotchAdviser(DeviceClient &client, ConfigurationModel &configuration, LiveModel &live,
                            EditStack &edits, BoardWriter &writer, const BoardHistory &history,
@@ -68,38 +54,11 @@ NotchAdviser::~NotchAdviser() = default;
 
 std::optional<NotchAdviser::Plan> NotchAdviser::plan(Axis axis, const SpectrumPeak &peak) const
 {
-    const ConfigurationModel &model = m_configuration;
     const Device *device = m_client.device();
-    const NotchFilters *notches = device && !model.isEmpty() ? device->notchFilters() : nullptr;
-    if (!notches)
+    if (!device || m_configuration.isEmpty())
         return {};
-    const Configuration &board = model.board();
-    const int profile = board.activeProfile();
-    for (const NotchFilter &filter : notches->notchesOf(axis)) {
-        const ParameterSpec *enabled = board.parameters().find(filter.enabled);
-        const auto isFree = [&](const Configuration &configuration) {
-            const auto bits = enabled ? configuration.raw(*enabled, profile) : std::nullopt;
-            return bits && !(flagBits(*bits) & (1U << filter.bit));
-        };
-        const ParameterSpec *frequency = board.parameters().find(filter.frequency);
-        const ParameterSpec *width = board.parameters().find(filter.width);
-        const ParameterSpec *depth = board.parameters().find(filter.depth);
-        if (!frequency || !width || !depth || !isFree(board) || !isFree(model.edited()))
-            continue;
-        Plan plan{axis, peak, filter, {}, profile, {}};
-        const auto put = [&plan](const ParameterSpec &spec, double value) {
-            const double raw = spec.clamped(spec.toRaw(value));
-            plan.values.emplace_back(spec.key, raw);
-            return spec.toDisplay(raw);
-        };
-        // A resonance wanders with temperature and load: twice its width, a quarter of its frequency at
-        // least.
-        plan.shape.hz = put(*frequency, peak.frequency);
-        plan.shape.width = put(*width, std::max(2.0 * peak.width, peak.frequency * kMinWidth));
-        plan.shape.depthDb = put(*depth, kDepthDb);
-        return plan;
-    }
-    return {};
+    const ConfigurationModel &model = m_configuration;
+    return planNotch(*device, model.board(), model.edited(), axis, peak);
 }
 
 NotchAdvice NotchAdviser::advise(const Plan &plan, double wholeRms, double commandedRms) const

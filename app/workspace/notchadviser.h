@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/analysis/notchadvice.h"
-#include "protocol/device/abilities.h"
+#include "protocol/procedure/notchplan.h"
 #include "protocol/procedure/notchtrial.h"
 
 #include <QObject>
@@ -36,22 +35,9 @@ public:
                  Settings &settings, TelemetrySubscriptions &telemetry, LinkMarks &marks);
     ~NotchAdviser() override;
 
-    /// A notch that would take a line out of the active profile, with values that the board can hold.
-    struct Plan
-    {
-        Axis axis = Axis::None;
-        SpectrumPeak peak;
-        NotchFilter filter;
-        NotchShape shape;
-        int profile = 0;
-        std::vector<std::pair<QString, double>> values;  ///< key, raw value
+    using Plan = NotchPlan;
 
-        /// The configuration with this notch in it and in use.
-        [[nodiscard]] Configuration appliedTo(Configuration configuration) const;
-    };
-
-    /// The first filter of the axis that is in use neither on the board nor in the edits. Empty: there is
-    /// none.
+    /// planNotch() on the board that is shown.
     [[nodiscard]] std::optional<Plan> plan(Axis axis, const SpectrumPeak &peak) const;
     /// @param wholeRms,commandedRms as in NotchEvidence
     [[nodiscard]] NotchAdvice advise(const Plan &plan, double wholeRms, double commandedRms) const;

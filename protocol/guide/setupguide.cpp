@@ -92,7 +92,7 @@ Result<SetupResult> SetupGuide::run(SetupStep step, const QVariantMap &answers, 
     case SetupStep::Balance: result = balance(); break;
     case SetupStep::Motors: result = motors(); break;
     case SetupStep::Gains: result = gains(); break;
-    case SetupStep::Vibration: result = vibration(); break;
+    case SetupStep::Vibration: result = vibration(answers); break;
     case SetupStep::Limits: result = limits(answers); break;
     case SetupStep::Use: result = use(answers); break;
     }

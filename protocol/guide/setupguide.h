@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/analysis/spectrum.h"
 #include "protocol/configuration/livevalues.h"
 #include "protocol/guide/setuprecord.h"
 #include "protocol/record/boardhistory.h"
@@ -41,7 +42,7 @@ private:
     Result<SetupResult> balance();
     Result<SetupResult> motors();
     Result<SetupResult> gains();
-    Result<SetupResult> vibration();
+    Result<SetupResult> vibration(const QVariantMap &answers);
     Result<SetupResult> limits(const QVariantMap &answers);
     Result<SetupResult> use(const QVariantMap &answers);
 
@@ -58,6 +59,11 @@ private:
     /// How far angles are from their targets, RMS.
     Result<Figures> measureHolding();
     void tell(const QString &step, double share);
+    /// Lines of the turn rates that may be worth a notch.
+    using Lines = std::vector<std::pair<Axis, SpectrumPeak>>;
+    Result<Lines> measureLines(SetupResult &result);
+    /// @return whether the notch was kept
+    Result<bool> tryNotchFor(Axis axis, const SpectrumPeak &peak, SetupResult &result);
 
     // What is done.
     Result<void> switchOff();

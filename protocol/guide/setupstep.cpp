@@ -20,6 +20,8 @@ constexpr ArgumentSpec kPowerArguments[] = {
 constexpr ArgumentSpec kLimitArguments[] = {
     {.key = "seconds", .label = "Time for moving it", .kind = ArgumentKind::Real, .min = 5, .max = 120, .unit = "s", .defaultText = "20"},
     {.key = "margin", .label = "Margin at each end", .kind = ArgumentKind::Real, .min = 0, .max = 20, .unit = "°", .defaultText = "3"}};
+constexpr ArgumentSpec kVibrationArguments[] = {
+    {.key = "try", .label = "Try a notch where a line stands out", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
 constexpr ArgumentSpec kUseArguments[] = {
     {.key = "use", .label = "What the gimbal is for", .kind = ArgumentKind::Choice, .choices = kUses, .defaultText = "handheld"},
     {.key = "apply", .label = "Write the values (off: only show what would change)", .kind = ArgumentKind::Toggle, .defaultText = "off"}};
@@ -50,7 +52,8 @@ constexpr SetupStepSpec kSteps[] = {
       .risk = ActionRisk::Writes},
      "The gimbal is held in the hand as in use, and the motors run.", "autotune"},
     {SetupStep::Vibration,
-     {.key = "vibration", .label = "Vibration", .help = "Measures how the camera vibrates while it is held, and which line of each axis is the strongest."},
+     {.key = "vibration", .label = "Vibration", .help = "Measures how the camera vibrates while it is held. Where a line of its own stands out, a notch is tried, and kept only where the axis vibrates less with it.",
+      .risk = ActionRisk::Writes, .arguments = kVibrationArguments},
      "The gimbal is held in the hand as in use, and the motors run.", "spectrum"},
     {SetupStep::Limits,
      {.key = "limits", .label = "Range", .help = "Switches the motors off, watches how far the camera is moved by hand, and sets the range that steering may reach.",
@@ -88,7 +91,9 @@ constexpr SetupRemarkSpec kRemarks[] = {
     {"gains.takenback", "It was held worse than before: the old gains were written back.", false},
     {"gains.worse", "It is held worse than before, and the old gains could not be written back: see Backups.", false},
     {"vibration.calm", "Nothing vibrates in a line of its own."},
-    {"vibration.lines", "Some lines stand out: Vibration (page Spectrum) says whether a notch helps, and tries it.", false},
+    {"vibration.lines", "Some lines stand out: the page Spectrum says whether a notch helps, and tries it."},
+    {"vibration.notch", "A notch helps, and is written."},
+    {"vibration.nonotch", "A notch was tried and did not help: the board holds what it held."},
     {"vibration.strong", "An axis vibrates strongly: lower its gains (page Tuning), and measure again.", false},
     {"limits.set", "Steering reaches what you have shown, less the margin."},
     {"limits.kept", "An axis was hardly moved: its range stays as it was.", false},

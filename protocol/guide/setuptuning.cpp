@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The steps that measure how the camera is held, and what it is for.
-#include "protocol/analysis/notchadvice.h"
 #include "protocol/device/device.h"
 #include "protocol/guide/setupguide.h"
+#include "protocol/procedure/notchplan.h"
+#include "protocol/procedure/notchtrial.h"
 #include "protocol/procedure/safeaction.h"
 #include "protocol/session/channel.h"
 #include "protocol/telemetry/uniformsamples.h"
@@ -131,18 +132,14 @@ Result<SetupResult> SetupGuide::gains()
     return undone;
 }
 
-Result<SetupResult> SetupGuide::vibration()
+Result<SetupGuide::Lines> SetupGuide::measureLines(SetupResult &result)
 {
-    if (const auto run = requireMotors(); !run)
-        return tl::unexpected(run.error());
     if (const auto news = awaitNews(ChannelRoles::present({m_roles.gyro})); !news)
         return tl::unexpected(news.error());
     const auto span = measure(kHoldingSeconds);
     if (!span)
         return tl::unexpected(span.error());
-    SetupResult result;
-    bool standsOut = false;
-    bool isStrong = false;
+    Lines lines;
     for (const Axis axis : kAxes) {
         const int channel = m_roles.gyro[std::size_t(axis)];
         if (channel < 0)
@@ -155,18 +152,81 @@ Result<SetupResult> SetupGuide::vibration()
             return tl::unexpected(found.error());
         const double whole = found->bandRms(kVibrationFrom, samples->rate / 2);
         result.figures.append({setupFigureKey("shakes", axis), whole});
-        isStrong = isStrong || whole > kStrong;
         const auto peaks = findPeaks(*found, 1, kVibrationFrom);
         if (peaks.empty())
             continue;
         result.figures.append({setupFigureKey("line", axis), peaks.front().frequency});
-        standsOut = standsOut || adviseNotch({peaks.front(), whole, 0, {}, nullptr}).isOffered();
+        if (adviseNotch({peaks.front(), whole, 0, {}, nullptr}).isOffered())
+            lines.emplace_back(axis, peaks.front());
     }
-    result.remarks = QStringList{isStrong        ? u"vibration.strong"_s
-                                     : standsOut ? u"vibration.lines"_s
-                                                 : u"vibration.calm"_s};
-    if (isStrong)
+    return lines;
+}
+
+// What a trial has shown to be better is written; all else is as it was.
+Result<bool> SetupGuide::tryNotchFor(Axis axis, const SpectrumPeak &peak, SetupResult &result)
+{
+    const auto base = m_device.readConfiguration(m_channel);
+    if (!base)
+        return tl::unexpected(base.error());
+    const auto plan = planNotch(m_device, *base, *base, axis, peak);
+    if (!plan)
+        return false;
+    NotchTrialPlan trial;
+    trial.axis = axis;
+    trial.hz = peak.frequency;
+    trial.width = peak.width;
+    trial.base = *base;
+    trial.wanted = plan->appliedTo(*base);
+    const std::atomic<bool> goesOn = false;
+    const auto tried
+        = tryNotch(m_channel, m_device, m_telemetry, trial, {.history = &m_history, .live = m_live}, goesOn);
+    if (!tried)
+        return tl::unexpected(tried.error());
+    if (tried->ended)
+        return tl::unexpected(*tried->ended);
+    if (!tried->isTakenBack)
+        return failure(ErrorCode::NotRestored, u"the notch that was tried is still on the board"_s);
+    if (tried->verdict != NotchTrialResult::Verdict::Better)
+        return false;
+    if (const auto written = write(*base, trial.wanted, result); !written)
+        return tl::unexpected(written.error());
+    for (SetupFigure &figure : result.figures) {
+        if (figure.key == setupFigureKey("shakes", axis)) {
+            figure.before = tried->before.whole;
+            figure.value = tried->after.whole;
+        }
+    }
+    return true;
+}
+
+Result<SetupResult> SetupGuide::vibration(const QVariantMap &answers)
+{
+    if (const auto run = requireMotors(); !run)
+        return tl::unexpected(run.error());
+    SetupResult result;
+    const auto lines = measureLines(result);
+    if (!lines)
+        return tl::unexpected(lines.error());
+    const bool tries = answers.value(u"try"_s).toBool() && m_device.notchFilters();
+    bool helped = false;
+    for (const auto &[axis, peak] : *lines) {
+        const auto kept = tries ? tryNotchFor(axis, peak, result) : Result<bool>(false);
+        if (!kept)
+            return tl::unexpected(kept.error());
+        helped = helped || *kept;
+    }
+    result.remarks = QStringList{lines->empty() ? u"vibration.calm"_s
+                                     : !tries   ? u"vibration.lines"_s
+                                     : helped   ? u"vibration.notch"_s
+                                                : u"vibration.nonotch"_s};
+    const bool isStrong
+        = std::any_of(result.figures.begin(), result.figures.end(), [](const SetupFigure &figure) {
+              return figure.key.startsWith(u"shakes."_s) && figure.value > kStrong;
+          });
+    if (isStrong) {
+        result.remarks.append(u"vibration.strong"_s);
         result.state = SetupResult::State::Poor;
+    }
     return result;
 }
 

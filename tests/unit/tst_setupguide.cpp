@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
@@ -96,6 +97,7 @@ private slots:
     void whatIsNotHeldLevelIsNotMeasured();
     void motorsThatRunAwayAreStopped();
     void worseGainsAreTakenBack();
+    void aNotchIsKeptWhereItHelps();
     void motorsThatAreOffAreNoMeasurement();
     void hardlyMovedIsNoRange();
     void lostLinkEndsAStep();
@@ -257,6 +259,27 @@ void TestSetupGuide::worseGainsAreTakenBack()
     QCOMPARE(bench.stored(u"pid.pitch.p"_s), before);
     QCOMPARE(bench.board.board().inUse(u"pid.pitch.p"_s), before);
     QVERIFY(!bench.record.result(SetupStep::Gains).isOver());
+}
+
+// A structure that rings with the gains it has: a notch is tried, kept, and in use.
+void TestSetupGuide::aNotchIsKeptWhereItHelps()
+{
+    Faults faults;
+    faults.shake = 0.3;
+    Bench bench(false, faults);
+    bench.board.board().store(u"pid.roll.p"_s, 0, 100);
+    bench.board.board().store(u"pid.roll.d"_s, 0, 60);
+    QVERIFY(bench.board.channel.sleep(6s));
+    const auto shown = bench.run("vibration", {{u"try"_s, u"off"_s}});
+    QVERIFY2(shown && shown->remarks.contains(u"vibration.lines"_s), qPrintable(why(shown)));
+    QCOMPARE(bench.stored(u"filter.roll.enabled"_s) & 7, 0);
+    const auto tried = bench.run("vibration");
+    QVERIFY2(tried && tried->remarks.contains(u"vibration.notch"_s), qPrintable(why(tried)));
+    QCOMPARE(bench.stored(u"filter.roll.enabled"_s) & 1, 1);
+    const auto roll = std::find_if(tried->figures.begin(), tried->figures.end(),
+                                   [](const SetupFigure &figure) { return figure.key == u"shakes.roll"_s; });
+    QVERIFY2(roll->before && roll->value < *roll->before, qPrintable(why(tried)));
+    QVERIFY(!tried->changes.isEmpty() && !tried->snapshot.isEmpty());
 }
 
 void TestSetupGuide::motorsThatAreOffAreNoMeasurement()
