@@ -3996,10 +3996,6 @@
         <translation>Prüfen Sie Kabel oder Netz, und den Strom.</translation>
     </message>
     <message>
-        <source>Let the camera go now, and catch it if it falls far</source>
-        <translation>Lassen Sie die Kamera jetzt los, und fangen Sie sie auf, wenn sie weit fällt</translation>
-    </message>
-    <message>
         <source>Move the camera slowly as far as it may go, each axis both ways</source>
         <translation>Bewegen Sie die Kamera langsam so weit, wie sie darf, jede Achse in beide Richtungen</translation>
     </message>
@@ -4022,6 +4018,10 @@
     <message>
         <source>Turn the camera in all directions: %1 of 8 are seen</source>
         <translation>Drehen Sie die Kamera in alle Richtungen: %1 von 8 sind gesehen</translation>
+    </message>
+    <message>
+        <source>Take your hands off the camera, keep them beneath it, and tip it lightly</source>
+        <translation>Nehmen Sie die Hände von der Kamera, halten Sie sie darunter, und tippen Sie die Kamera leicht an</translation>
     </message>
 </context>
 <context>
@@ -5374,10 +5374,6 @@
         <translation>Vorher: %1</translation>
     </message>
     <message>
-        <source>More of it: %1…</source>
-        <translation>Mehr davon: %1…</translation>
-    </message>
-    <message>
         <source>Parameters</source>
         <translation>Parameter</translation>
     </message>
@@ -5480,6 +5476,30 @@
     <message>
         <source>Gimbal setup</source>
         <translation>Gimbal einrichten</translation>
+    </message>
+    <message>
+        <source>Steps before it are open: %1.</source>
+        <translation>Schritte davor sind offen: %1.</translation>
+    </message>
+    <message>
+        <source>More about it: %1…</source>
+        <translation>Mehr dazu: %1…</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>Weiter: %1</translation>
+    </message>
+    <message>
+        <source>It was cancelled.</source>
+        <translation>Es wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>A simulated gimbal.</source>
+        <translation>Ein simulierter Gimbal.</translation>
+    </message>
+    <message>
+        <source>“%1” was cancelled: its page was left.</source>
+        <translation>„%1“ wurde abgebrochen: die Seite wurde verlassen.</translation>
     </message>
 </context>
 <context>
@@ -18483,10 +18503,6 @@ Spitze %2°</translation>
         <translation>Misst, was der Beschleunigungssensor für waagerecht hält, und vergleicht es mit vorher.</translation>
     </message>
     <message>
-        <source>No axis runs away.</source>
-        <translation>Keine Achse läuft davon.</translation>
-    </message>
-    <message>
         <source>Nothing is written yet.</source>
         <translation>Noch ist nichts geschrieben.</translation>
     </message>
@@ -18523,10 +18539,6 @@ Spitze %2°</translation>
         <translation>Schwingt losgelassen aus</translation>
     </message>
     <message>
-        <source>Switches the motors off, waits until the camera is held level, and measures how far it swings when it is let go.</source>
-        <translation>Schaltet die Motoren aus, wartet, bis die Kamera waagerecht gehalten wird, und misst, wie weit sie ausschwingt, wenn sie losgelassen wird.</translation>
-    </message>
-    <message>
         <source>Switches the motors off, watches how far the camera is moved by hand, and sets the range that steering may reach.</source>
         <translation>Schaltet die Motoren aus, beobachtet, wie weit die Kamera von Hand bewegt wird, und stellt den Bereich ein, den das Steuern erreichen darf.</translation>
     </message>
@@ -18545,10 +18557,6 @@ Spitze %2°</translation>
     <message>
         <source>The battery that the gimbal is used with is connected, and full or nearly so.</source>
         <translation>Der Akku, mit dem der Gimbal benutzt wird, ist angeschlossen, und voll oder beinahe.</translation>
-    </message>
-    <message>
-        <source>The board has found other motors than it was set to.</source>
-        <translation>Das Board hat andere Motoren gefunden, als eingestellt waren.</translation>
     </message>
     <message>
         <source>The board turns each motor to find its poles and its direction. Then the motors start, and are switched off at once where an axis runs away.</source>
@@ -18845,6 +18853,26 @@ Spitze %2°</translation>
     <message>
         <source>Try a notch where a line stands out</source>
         <translation>Eine Kerbe versuchen, wo eine Linie hervorsticht</translation>
+    </message>
+    <message>
+        <source>An axis vibrates strongly with these gains: lower them (page Tuning), or try a notch (step Vibration).</source>
+        <translation>Eine Achse vibriert mit diesen Reglerwerten stark: senken Sie sie (Seite Abstimmen), oder versuchen Sie eine Kerbe (Schritt Vibration).</translation>
+    </message>
+    <message>
+        <source>No axis runs away. The motors run.</source>
+        <translation>Keine Achse läuft davon. Die Motoren laufen.</translation>
+    </message>
+    <message>
+        <source>Switches the motors off, waits until the camera is held level, and measures how far it swings when it is let go and tipped lightly.</source>
+        <translation>Schaltet die Motoren aus, wartet, bis die Kamera waagerecht gehalten wird, und misst, wie weit sie ausschwingt, wenn sie losgelassen und leicht angetippt wird.</translation>
+    </message>
+    <message>
+        <source>The board has found other poles or directions than were set.</source>
+        <translation>Das Board hat andere Polzahlen oder Richtungen gefunden, als eingestellt waren.</translation>
+    </message>
+    <message>
+        <source>The board holds other values since: do it again.</source>
+        <translation>Das Board hält seither andere Werte: wiederholen Sie den Schritt.</translation>
     </message>
 </context>
 <context>

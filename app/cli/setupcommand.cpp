@@ -54,6 +54,8 @@ public:
     }
     QString check() const override
     {
+        if (m_certificate.endsWith(u".pdf"_s, Qt::CaseInsensitive))
+            return u"setup writes the certificate as HTML: give it a name that ends in .html"_s;
         if (arguments().isEmpty())
             return m_skip ? u"setup --skip needs the step to leave out"_s : QString();
         if (arguments().first() == kNext || findSetupStep(arguments().first()))
@@ -81,6 +83,9 @@ protected:
         if (!record)
             return tl::unexpected(record.error());
         CommandOutcome outcome;
+        if (const auto board = device.readConfiguration(channel); board && record->compare(*board))
+            emit told(
+                u"the board holds other values than some steps had written: they are to be done again"_s);
         if (!arguments().isEmpty()) {
             const auto done = step(channel, device, steps, *record, outcome);
             if (!done)
@@ -93,7 +98,8 @@ protected:
         if (arguments().isEmpty())
             list(steps, *record, outcome);
         if (!m_certificate.isEmpty()) {
-            const QString page = setupCertificate(*record, steps, english);
+            const QString page
+                = setupCertificate(*record, steps, english, [](const QString &key) { return key; });
             if (const auto saved = writeWhole(m_certificate, page.toUtf8()); !saved)
                 return tl::unexpected(saved.error());
             outcome.note += u"the certificate is in %1\n"_s.arg(m_certificate);
@@ -133,14 +139,18 @@ private:
             if (!done) {
                 result.state = SetupResult::State::Failed;
                 result.at = QDateTime::currentDateTimeUtc();
-                result.why = consoleText(done.error()).oneLine();
-                record.set(spec.step, result);
+                Error error = done.error();
+                error.after.reset();  // of the moment
+                result.why = error.code == ErrorCode::Cancelled ? u"It was cancelled."_s
+                                                                : consoleText(error).oneLine();
+                if (error.code != ErrorCode::Cancelled || !record.result(spec.step).isOver())
+                    record.set(spec.step, result);
                 std::ignore = record.save(history().setupFile(device.identity().serial));
                 return tl::unexpected(done.error());
             }
             result = *done;
         }
-        record.set(spec.step, result);
+        record.add(spec.step, result);
         outcome.text = u"%1: %2\n"_s.arg(key, setupStateKey(result.state)) + resultText(result);
         outcome.json = record.toJson().value(u"steps"_s).toObject().value(key);
         outcome.exitCode = result.state == SetupResult::State::Poor ? Refused : Done;
@@ -169,6 +179,15 @@ private:
             outcome.text += u"%1 %2 %3\n"_s.arg(QString::fromLatin1(spec.action.key).leftJustified(12),
                                                 setupStateKey(record.result(step).state).leftJustified(9),
                                                 english(spec.action.help));
+            for (const ArgumentSpec &answer : spec.action.arguments) {
+                QStringList words;
+                for (const Choice &choice : answer.choices)
+                    words.append(QLatin1String(choice.name));
+                outcome.text += u"%1 %2=%3  %4\n"_s.arg(QString(22, u' '), QLatin1String(answer.key),
+                                                        words.isEmpty() ? QLatin1String(answer.defaultText)
+                                                                        : words.join(u'|'),
+                                                        english(answer.label));
+            }
         }
         const auto next = record.next(steps);
         outcome.json = record.toJson();

@@ -27,7 +27,8 @@ QString row(const QString &left, const QString &right)
                                                                       right.toHtmlEscaped());
 }
 
-QString stepHtml(const SetupStepSpec &spec, const SetupResult &result, const SetupWords &words)
+QString stepHtml(const SetupStepSpec &spec, const SetupResult &result, const SetupWords &words,
+                 const std::function<QString(const QString &)> &labelOf)
 {
     QString html = u"<h2>%1: %2</h2>\n"_s.arg(words(spec.action.label),
                                               setupStateWord(result.state, words).toHtmlEscaped());
@@ -43,7 +44,7 @@ QString stepHtml(const SetupStepSpec &spec, const SetupResult &result, const Set
     for (const SetupFigure &figure : result.figures)
         rows += row(setupFigureLabel(figure, words), setupFigureText(figure));
     for (const SetupChange &change : result.changes)
-        rows += row(change.key, u"%1 → %2"_s.arg(change.from, change.to));
+        rows += row(labelOf(change.key), u"%1 → %2"_s.arg(change.from, change.to));
     if (!rows.isEmpty())
         html += u"<table width=\"100%\">\n%1</table>\n"_s.arg(rows);
     return html;
@@ -74,7 +75,8 @@ std::span<const char *const> setupCertificateWords()
 }
 
 QString setupCertificate(const SetupRecord &record, const std::vector<SetupStep> &steps,
-                         const SetupWords &words)
+                         const SetupWords &words, const std::function<QString(const QString &key)> &labelOf,
+                         const QString &note)
 {
     const auto all = setupCertificateWords();
     const BoardIdentity &board = record.identity();
@@ -84,7 +86,9 @@ QString setupCertificate(const SetupRecord &record, const std::vector<SetupStep>
                    "<h1>%1</h1>\n<table>\n"_s.arg(words(all[0]));
     html += row(words(all[1]), board.model) + row(words(all[2]), board.firmware)
         + row(words(all[3]), board.serial) + u"</table>\n"_s;
+    if (!note.isEmpty())
+        html += u"<p><b>%1</b></p>\n"_s.arg(note.toHtmlEscaped());
     for (const SetupStep step : steps)
-        html += stepHtml(setupStep(step), record.result(step), words);
+        html += stepHtml(setupStep(step), record.result(step), words, labelOf);
     return html + u"<p>%1</p>\n</body></html>\n"_s.arg(words(all.back()).toHtmlEscaped());
 }

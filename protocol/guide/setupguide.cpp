@@ -40,7 +40,8 @@ constexpr double kHeldSeconds = 1;
 constexpr double kHoldPatience = 60;
 constexpr double kLetGoSeconds = 2;
 constexpr double kSwingSeconds = 4;
-constexpr double kBalanced = 6;  // degrees
+constexpr double kBalanced = 8;  // degrees: a light push moves it by some
+constexpr double kStirred = 7;  // deg/s from least to most: less is a camera that was never let go
 // Motors.
 constexpr double kRunSeconds = 4;
 constexpr double kRunaway = 25;  // degrees away from the target, and no longer falling back to it
@@ -264,7 +265,8 @@ Result<SetupResult> SetupGuide::power(const QVariantMap &answers)
         const double raw = spec->clamped(spec->toRaw(each * cells));
         if (const auto set = edited.setRaw(*spec, profile, raw); !set)
             return tl::unexpected(set.error());
-        result.figures.append({figure, spec->toDisplay(raw), spec->toDisplay(*before)});
+        const double was = spec->toDisplay(*before);  // negative: it was switched off
+        result.figures.append({figure, spec->toDisplay(raw), was > 0 ? std::optional(was) : std::nullopt});
     }
     if (base->changesTo(edited).empty()) {
         result.remarks = QStringList{u"power.fits"_s};
@@ -332,17 +334,27 @@ Result<SetupResult> SetupGuide::balance()
     }
     const Figures start{latest(m_roles.angle[0]), latest(m_roles.angle[1]), 0};
     Figures swing{};
+    std::array<std::pair<double, double>, 2> turns{};  // least and most, deg/s
+    for (std::size_t axis = 0; axis < turns.size(); ++axis)
+        turns[axis] = {latest(m_roles.gyro[axis]), latest(m_roles.gyro[axis])};
     const auto look = [&]() -> Result<void> {
         for (std::size_t axis = 0; axis < 2; ++axis) {
             const double now = std::remainder(latest(m_roles.angle[axis]) - start[axis], 360.0);
             if (std::abs(now) > std::abs(swing[axis]))
                 swing[axis] = now;
+            const double turn = latest(m_roles.gyro[axis]);
+            turns[axis] = {std::min(turns[axis].first, turn), std::max(turns[axis].second, turn)};
         }
         return {};
     };
     const auto watched = watch(kLetGoSeconds + kSwingSeconds, look, u"setup-let-go"_s);
     if (!watched)
         return tl::unexpected(watched.error());
+    const bool isStirred = std::any_of(turns.begin(), turns.end(),
+                                       [](const auto &turn) { return turn.second - turn.first > kStirred; });
+    if (!isStirred)
+        return failure(ErrorCode::ConditionUnmet,
+                       u"the camera did not move at all, so it was not let go: let go, and tip it lightly"_s);
     SetupResult result;
     bool isBalanced = true;
     for (const Axis axis : {Axis::Roll, Axis::Pitch}) {
@@ -360,6 +372,9 @@ Result<SetupResult> SetupGuide::motors()
     const auto base = read();
     if (!base)
         return tl::unexpected(base.error());
+    // What nobody knows yet does not hold the camera; the board turns its motors by itself.
+    if (const auto off = switchOff(); !off)
+        return tl::unexpected(off.error());
     const auto done
         = performSafely(m_channel, m_device, m_keys.findPoles, {}, m_history, m_live, &m_telemetry);
     if (!done)
@@ -371,15 +386,13 @@ Result<SetupResult> SetupGuide::motors()
     result.snapshot = done->snapshotPath;
     list(*base, *now, result);
     const int profile = now->activeProfile();
-    for (const auto &[pattern, figure] : {std::pair(m_keys.poles, "poles"), {m_keys.inverted, "inverted"}}) {
-        for (const Axis axis : kAxes) {
-            const ParameterSpec *spec = find(pattern, axis);
-            const auto is = spec ? now->raw(*spec, profile) : std::nullopt;
-            const auto was = spec ? base->raw(*spec, profile) : std::nullopt;
-            if (is && was)
-                result.figures.append({setupFigureKey(figure, axis), spec->toDisplay(*is),
-                                       *is == *was ? std::nullopt : std::optional(spec->toDisplay(*was))});
-        }
+    for (const Axis axis : kAxes) {
+        const ParameterSpec *spec = find(m_keys.poles, axis);
+        const auto is = spec ? now->raw(*spec, profile) : std::nullopt;
+        const auto was = spec ? base->raw(*spec, profile) : std::nullopt;
+        if (is && was)
+            result.figures.append({setupFigureKey("poles", axis), spec->toDisplay(*is),
+                                   *is == *was ? std::nullopt : std::optional(spec->toDisplay(*was))});
     }
     result.remarks = QStringList{result.changes.isEmpty() ? u"motors.same"_s : u"motors.changed"_s};
     // They run, and are watched: what was found has to hold the camera.

@@ -96,6 +96,42 @@ SetupResult SetupRecord::result(SetupStep step) const
     return it == m_results.end() ? SetupResult() : it->second;
 }
 
+void SetupRecord::add(SetupStep step, SetupResult result)
+{
+    const SetupResult before = this->result(step);
+    if (result.state == State::Done && before.state == State::Done && result.changes.isEmpty()) {
+        result.changes = before.changes;
+        result.snapshot = before.snapshot;
+        for (SetupFigure &figure : result.figures) {
+            const auto old
+                = std::find_if(before.figures.begin(), before.figures.end(),
+                               [&figure](const SetupFigure &each) { return each.key == figure.key; });
+            if (old != before.figures.end() && (!figure.before || *figure.before == figure.value))
+                figure.before = old->before;
+        }
+    }
+    set(step, result);
+}
+
+bool SetupRecord::compare(const Configuration &board)
+{
+    bool isAny = false;
+    for (auto &[step, result] : m_results) {
+        const bool isOther
+            = std::any_of(result.changes.begin(), result.changes.end(), [&board](const SetupChange &change) {
+                  const ParameterSpec *spec = board.parameters().find(change.key);
+                  const auto raw = spec ? board.raw(*spec, change.profile) : std::nullopt;
+                  return raw && spec->format(*raw) != change.to;
+              });
+        if (!isOther || result.state != State::Done)
+            continue;
+        result.state = State::Poor;
+        result.remarks = QStringList{u"changed.since"_s};
+        isAny = true;
+    }
+    return isAny;
+}
+
 std::optional<SetupStep> SetupRecord::next(const std::vector<SetupStep> &steps) const
 {
     const auto it
@@ -151,8 +187,12 @@ QString setupFigureText(const SetupFigure &figure)
     const SetupFigureSpec *spec = findSetupFigure(figure.key);
     const int decimals = spec ? spec->decimals : 3;
     const QString unit = spec && *spec->unit ? u' ' + QString::fromUtf8(spec->unit) : QString();
-    const QString text = QString::number(figure.value, 'f', decimals) + unit;
-    return figure.before ? u"%1 ← %2"_s.arg(text, QString::number(*figure.before, 'f', decimals)) : text;
+    const auto number = [decimals](double value) {
+        const QString text = QString::number(value, 'f', decimals);
+        return text.toDouble() == 0 ? QString::number(0.0, 'f', decimals) : text;  // no "-0.0"
+    };
+    const QString text = number(figure.value) + unit;
+    return figure.before ? u"%1 ← %2"_s.arg(text, number(*figure.before)) : text;
 }
 
 QString setupFigureLabel(const SetupFigure &figure, const SetupWords &words)

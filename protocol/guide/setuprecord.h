@@ -3,7 +3,7 @@
 #pragma once
 
 #include "protocol/base/result.h"
-#include "protocol/configuration/identity.h"
+#include "protocol/configuration/configuration.h"
 #include "protocol/guide/setupstep.h"
 
 #include <QDateTime>
@@ -62,6 +62,12 @@ public:
     [[nodiscard]] const BoardIdentity &identity() const { return m_identity; }
     [[nodiscard]] SetupResult result(SetupStep step) const;
     void set(SetupStep step, const SetupResult &result) { m_results[step] = result; }
+    /// The same for one that was done again: what it changed the first time, and what was before, stays
+    /// known.
+    void add(SetupStep step, SetupResult result);
+    /// Steps whose values the board does not hold any more are to be done again. @return whether there are
+    /// any
+    bool compare(const Configuration &board);
     void clear() { m_results.clear(); }
     /// The first that is neither done nor skipped; empty: none is.
     [[nodiscard]] std::optional<SetupStep> next(const std::vector<SetupStep> &steps) const;
@@ -94,5 +100,8 @@ using SetupWords = std::function<QString(const char *text)>;
 /// The words of its frame, for the catalogue.
 [[nodiscard]] std::span<const char *const> setupCertificateWords();
 /// The certificate as one page of HTML: the board, each step with what it measured, and what was left out.
+/// @param labelOf what a parameter is called, by its key @param note what else has to be known; may be empty
 [[nodiscard]] QString setupCertificate(const SetupRecord &record, const std::vector<SetupStep> &steps,
-                                       const SetupWords &words);
+                                       const SetupWords &words,
+                                       const std::function<QString(const QString &key)> &labelOf,
+                                       const QString &note = {});

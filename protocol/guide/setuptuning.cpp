@@ -33,6 +33,13 @@ double rmsOfAngles(const std::vector<float> &values)
     return values.empty() ? 0.0 : std::sqrt(sum / double(values.size()));
 }
 
+bool shakesStrongly(const SetupResult &result)
+{
+    return std::any_of(result.figures.begin(), result.figures.end(), [](const SetupFigure &figure) {
+        return figure.key.startsWith(u"shakes."_s) && figure.value > kStrong;
+    });
+}
+
 double wholeOf(const std::array<double, kAxisCount> &held)
 {
     return std::sqrt(held[0] * held[0] + held[1] * held[1] + held[2] * held[2]);
@@ -110,6 +117,13 @@ Result<SetupResult> SetupGuide::gains()
     const double is = wholeOf(*after);
     if (is <= kWorse * was) {
         result.remarks = QStringList{is < kBetter * was ? u"gains.better"_s : u"gains.same"_s};
+        // What holds well may ring.
+        if (const auto lines = measureLines(result); !lines)
+            return tl::unexpected(lines.error());
+        if (shakesStrongly(result)) {
+            result.remarks.append(u"gains.shakes"_s);
+            result.state = SetupResult::State::Poor;
+        }
         return result;
     }
     // What somebody else has changed meanwhile is none of this step's business.
@@ -219,11 +233,7 @@ Result<SetupResult> SetupGuide::vibration(const QVariantMap &answers)
                                      : !tries   ? u"vibration.lines"_s
                                      : helped   ? u"vibration.notch"_s
                                                 : u"vibration.nonotch"_s};
-    const bool isStrong
-        = std::any_of(result.figures.begin(), result.figures.end(), [](const SetupFigure &figure) {
-              return figure.key.startsWith(u"shakes."_s) && figure.value > kStrong;
-          });
-    if (isStrong) {
+    if (shakesStrongly(result)) {
         result.remarks.append(u"vibration.strong"_s);
         result.state = SetupResult::State::Poor;
     }

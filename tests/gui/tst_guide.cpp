@@ -32,6 +32,8 @@ private slots:
     void hiddenItEnds();
     void cancelledASearchEnds();
     void leftOutIsSaid();
+    void tabGoesFromTheQuestionsToTheButton();
+    void cancelledItKeepsWhatWasDone();
     void aFailureIsToldAndKept();
 
 private:
@@ -91,7 +93,8 @@ void TestGuide::anUnpackedGimbalIsTuned()
     QCOMPARE(m_rig->raw(u"motor.pitch.poles"_s), 14.0);
     QTRY_VERIFY(m_rig->workspace().motorsRunning().value_or(false));
     page().choose(SetupStep::Gains);
-    QCOMPARE(doIt(), State::Done);
+    const State gains = doIt();  // the board's own search may leave an axis that rings, which is said
+    QVERIFY(gains == State::Done || page().findings()->toPlainText().contains(u"vibrates strongly"_s));
     QVERIFY2(page().findings()->toPlainText().contains(u"better"_s),
              qPrintable(page().findings()->toPlainText()));
     page().choose(SetupStep::Limits);
@@ -114,7 +117,7 @@ void TestGuide::anUnpackedGimbalIsTuned()
         QVERIFY(file.open(QFile::ReadOnly));
         const QByteArray bytes = file.readAll();
         QVERIFY(name.endsWith(u"pdf"_s) ? bytes.startsWith("%PDF") && bytes.size() > 5000
-                                        : bytes.contains("Gains: done"));
+                                        : bytes.contains("Gains: ") && bytes.contains("simulated"));
     }
     qInfo("from the box to the certificate: %d clicks, %.1f minutes", m_clicks + 9,
           double(clock.elapsed()) / 60000);
@@ -203,10 +206,47 @@ void TestGuide::leftOutIsSaid()
     QVERIFY(m_rig->open());
     page().skipButton()->click();
     QCOMPARE(page().chosen(), SetupStep::Gyroscope);
+    QVERIFY(!page().skipButton()->hasFocus());  // pressed again, it would leave out the next one
+    page().choose(SetupStep::Power);
+    QVERIFY(page().nextButton()->isVisible());
+    page().nextButton()->click();
+    QCOMPARE(page().chosen(), SetupStep::Gyroscope);
     page().choose(SetupStep::Power);
     QVERIFY2(page().findings()->toPlainText().contains(u"left out"_s),
              qPrintable(page().findings()->toPlainText()));
     QVERIFY(page().beginButton()->isEnabled());
+}
+
+void TestGuide::tabGoesFromTheQuestionsToTheButton()
+{
+    QVERIFY(m_rig->open());
+    for (const SetupStep step : {SetupStep::Power, SetupStep::Limits}) {
+        page().choose(step);
+        page().confirmBox()->setChecked(true);
+        page().list()->setFocus();
+        QStringList passed;
+        for (int i = 0; i < 8 && !page().beginButton()->hasFocus(); ++i) {
+            QTest::keyClick(m_rig->window().focusWidget(), Qt::Key_Tab);
+            passed.append(QLatin1String(m_rig->window().focusWidget()->metaObject()->className()));
+            QVERIFY2(page().isAncestorOf(m_rig->window().focusWidget()), qPrintable(passed.join(u' ')));
+        }
+        QVERIFY2(page().beginButton()->hasFocus(), qPrintable(passed.join(u' ')));
+    }
+}
+
+void TestGuide::cancelledItKeepsWhatWasDone()
+{
+    QVERIFY(m_rig->open());
+    page().choose(SetupStep::Vibration);
+    page().form()->setText(u"try"_s, u"off"_s);
+    const State done = doIt();
+    QVERIFY2(done == State::Done, qPrintable(page().findings()->toPlainText()));
+    page().beginButton()->click();
+    QVERIFY(page().isUnderWay());
+    QVERIFY(page().findings()->toPlainText().isEmpty());  // of the time before
+    page().cancelButton()->click();
+    QTRY_VERIFY(!page().isUnderWay());
+    QCOMPARE(page().record().result(SetupStep::Vibration).state, State::Done);
 }
 
 void TestGuide::aFailureIsToldAndKept()

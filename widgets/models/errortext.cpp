@@ -525,7 +525,7 @@ QString describe(const Progress &progress)
     if (progress.step == u"setup-hold"_s)
         return Words::tr("Hold the camera level and still");
     if (progress.step == u"setup-let-go"_s)
-        return Words::tr("Let the camera go now, and catch it if it falls far");
+        return Words::tr("Take your hands off the camera, keep them beneath it, and tip it lightly");
     if (progress.step == u"setup-move"_s)
         return Words::tr("Move the camera slowly as far as it may go, each axis both ways");
     if (progress.step == u"setup-run"_s)

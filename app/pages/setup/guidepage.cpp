@@ -68,6 +68,7 @@ GuidePage::GuidePage(Workspace &workspace, QWidget *parent)
     , m_begin(new QPushButton)
     , m_skip(new QPushButton(tr("Leave out")))
     , m_cancel(new QPushButton(tr("Cancel")))
+    , m_next(new QPushButton)
     , m_elsewhere(new QPushButton)
     , m_forget(new QPushButton(tr("From the beginning…")))
     , m_certificate(new QPushButton(tr("Certificate…")))
@@ -107,6 +108,7 @@ GuidePage::GuidePage(Workspace &workspace, QWidget *parent)
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidget(cards);
+    scroll->setFocusPolicy(Qt::NoFocus);
     row->addWidget(scroll, 1);
     body()->addLayout(row, 1);
 
@@ -116,6 +118,7 @@ GuidePage::GuidePage(Workspace &workspace, QWidget *parent)
     });
     connect(m_begin, &QPushButton::clicked, this, &GuidePage::begin);
     connect(m_skip, &QPushButton::clicked, this, &GuidePage::skip);
+    connect(m_next, &QPushButton::clicked, this, &GuidePage::goToNext);
     connect(m_cancel, &QPushButton::clicked, &workspace.client(), &DeviceClient::cancelMovingJobs);
     connect(m_confirm, &QCheckBox::toggled, this, &GuidePage::updateButtons);
     connect(m_elsewhere, &QPushButton::clicked, this,
@@ -132,6 +135,7 @@ GuidePage::GuidePage(Workspace &workspace, QWidget *parent)
     connect(&client, &DeviceClient::stateChanged, this, &GuidePage::load);
     connect(&workspace.live(), &LiveModel::heldChanged, this, &GuidePage::updateButtons);
     connect(&workspace, &Workspace::guidedChanged, this, &GuidePage::updateButtons);
+    connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &GuidePage::compare);
     load();
 }
 
@@ -146,8 +150,9 @@ Card *GuidePage::makeStep()
     m_begin->setObjectName(u"primary"_s);
     setHarmless(*m_elsewhere);
     setHarmless(*m_skip);
+    setHarmless(*m_next);
     auto *buttons = new QHBoxLayout;
-    for (QPushButton *button : {m_begin, m_cancel, m_skip})
+    for (QPushButton *button : {m_begin, m_cancel, m_skip, m_next})
         buttons->addWidget(button);
     buttons->addStretch(1);
     buttons->addWidget(m_elsewhere);
@@ -193,6 +198,17 @@ void GuidePage::load()
     updateButtons();
 }
 
+// A board that was reset, or another one with the same number, holds nothing of it.
+void GuidePage::compare()
+{
+    const ConfigurationModel &shown = workspace().configuration();
+    if (m_running || !workspace().client().isConnected() || shown.isEmpty()
+        || !m_record.compare(shown.board()))
+        return;
+    fillList();
+    showStep();
+}
+
 void GuidePage::save()
 {
     if (const auto saved = m_record.save(workspace().history().setupFile(m_board)); !saved)
@@ -231,8 +247,18 @@ void GuidePage::showStep()
                          .arg(m_steps.size())
                          .arg(tableText(spec.action.label)));
     m_help->setText(tableText(spec.action.help));
-    m_needs->setText(*spec.needs ? tr("Before it: %1").arg(tableText(spec.needs)) : QString());
-    m_needs->setVisible(*spec.needs);
+    QStringList open;
+    for (auto step = m_steps.begin(); step != place; ++step) {
+        if (!m_record.result(*step).isOver())
+            open.append(tableText(setupStep(*step).action.label));
+    }
+    QStringList needs;
+    if (*spec.needs)
+        needs.append(tr("Before it: %1").arg(tableText(spec.needs)));
+    if (!open.isEmpty())
+        needs.append(tr("Steps before it are open: %1.").arg(open.join(u", "_s)));
+    m_needs->setText(needs.join(u' '));
+    m_needs->setVisible(!needs.isEmpty());
     delete std::exchange(m_form, nullptr);
     m_form = new ArgumentForm(spec.action);
     m_formHolder->addWidget(m_form);
@@ -240,8 +266,17 @@ void GuidePage::showStep()
     m_confirm->setText(*spec.action.confirm ? tableText(spec.action.confirm) : QString());
     m_confirm->setVisible(*spec.action.confirm);
     m_confirm->setChecked(false);
+    QWidget *before = m_list;
+    for (const ArgumentSpec &argument : spec.action.arguments) {
+        QWidget *field = m_form->field(QLatin1String(argument.key));
+        QWidget::setTabOrder(before, field);
+        before = field;
+    }
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_confirm, m_begin, m_cancel, m_skip, m_next,
+                                                            m_elsewhere, m_findings})
+        QWidget::setTabOrder(std::exchange(before, widget), widget);
     const QString page = pageTitle(QLatin1String(spec.elsewhere));
-    m_elsewhere->setText(tr("More of it: %1…").arg(page));
+    m_elsewhere->setText(tr("More about it: %1…").arg(page));
     m_elsewhere->setVisible(!page.isEmpty());
     showFindings();
     updateButtons();
@@ -303,6 +338,11 @@ void GuidePage::updateButtons()
     m_begin->setToolTip(*spec.action.confirm && !m_confirm->isChecked() ? tr("Tick what has to be so first.")
                                                                         : QString());
     m_skip->setEnabled(isConnected && !m_running);
+    const auto next = m_record.next(m_steps);
+    m_next->setVisible(isConnected && !m_running && next && *next != m_chosen
+                       && m_record.result(m_chosen).isOver());
+    if (next)
+        m_next->setText(tr("Next: %1").arg(tableText(setupStep(*next).action.label)));
     m_cancel->setVisible(m_running.has_value());
     m_doing->setVisible(m_running.has_value());
     m_progress->setVisible(m_running.has_value());
@@ -328,6 +368,8 @@ void GuidePage::begin()
     m_running = m_chosen;
     m_progress->setValue(0);
     m_doing->setText(QString());
+    m_findings->clear();  // what was found before is not of this time
+    m_findings->setFocus(Qt::OtherFocusReason);
     workspace().beginWork();
     workspace().live().hold();
     updateButtons();
@@ -353,12 +395,16 @@ void GuidePage::finished(SetupStep step, const Result<SetupResult> &result)
     } else {
         kept.state = SetupResult::State::Failed;
         kept.at = QDateTime::currentDateTimeUtc();
-        kept.why = describe(result.error()).oneLine();
+        Error error = result.error();
+        error.after.reset();  // of the moment: the board is read again
+        kept.why = error.code == ErrorCode::Cancelled ? tr("It was cancelled.") : describe(error).oneLine();
         if (result.error().code != ErrorCode::Cancelled)
             workspace().notifications().report(result.error());
         endWhatGoesOn(result.error());
     }
-    m_record.set(step, kept);
+    // Broken off, it takes nothing away from what was done before.
+    if (result || result.error().code != ErrorCode::Cancelled || !m_record.result(step).isOver())
+        m_record.add(step, kept);
     save();
     emit workspace().snapshotTaken();
     if (workspace().client().isConnected() && setupStep(step).action.risk == ActionRisk::Writes)
@@ -402,6 +448,12 @@ void GuidePage::skip()
     left.at = QDateTime::currentDateTimeUtc();
     m_record.set(m_chosen, left);
     save();
+    goToNext();
+    m_list->setFocus(Qt::OtherFocusReason);  // pressed twice, it leaves out one
+}
+
+void GuidePage::goToNext()
+{
     if (const auto next = m_record.next(m_steps))
         m_chosen = *next;
     fillList();
@@ -437,7 +489,13 @@ void GuidePage::onProgress(const Progress &progress)
 
 Result<void> GuidePage::saveCertificate(const QString &path) const
 {
-    const QString page = setupCertificate(m_record, m_steps, wordsOf);
+    const auto parameters = workspace().tables() ? workspace().tables()->parameters() : nullptr;
+    const auto labelOf = [&parameters](const QString &key) {
+        const ParameterSpec *spec = parameters ? parameters->find(key) : nullptr;
+        return spec ? parameterLabel(*spec) : key;
+    };
+    const QString page = setupCertificate(m_record, m_steps, wordsOf, labelOf,
+                                          workspace().isSimulated() ? tr("A simulated gimbal.") : QString());
     if (!path.endsWith(u".pdf"_s, Qt::CaseInsensitive))
         return writeWhole(path, page.toUtf8());
     QBuffer buffer;
@@ -466,6 +524,10 @@ void GuidePage::hideEvent(QHideEvent *event)
 {
     Page::hideEvent(event);
     // A step that nobody looks at does not go on.
-    if (m_running)
-        workspace().client().cancelMovingJobs();
+    if (!m_running)
+        return;
+    workspace().client().cancelMovingJobs();
+    workspace().notifications().notify(
+        tr("“%1” was cancelled: its page was left.").arg(tableText(setupStep(*m_running).action.label)),
+        Notice::Attention);
 }

@@ -32,6 +32,7 @@ public:
     [[nodiscard]] QListWidget *list() const { return m_list; }
     [[nodiscard]] QPushButton *beginButton() const { return m_begin; }
     [[nodiscard]] QPushButton *skipButton() const { return m_skip; }
+    [[nodiscard]] QPushButton *nextButton() const { return m_next; }
     [[nodiscard]] QPushButton *cancelButton() const { return m_cancel; }
     [[nodiscard]] QPushButton *forgetButton() const { return m_forget; }
     [[nodiscard]] QCheckBox *confirmBox() const { return m_confirm; }
@@ -48,6 +49,8 @@ private:
     [[nodiscard]] Card *makeStep();
     [[nodiscard]] static QString pageTitle(const QString &key);
     void load();
+    void compare();
+    void goToNext();
     void save();
     void fillList();
     void showStep();
@@ -71,6 +74,7 @@ private:
     QPushButton *m_begin;
     QPushButton *m_skip;
     QPushButton *m_cancel;
+    QPushButton *m_next;
     QPushButton *m_elsewhere;
     QPushButton *m_forget;
     QPushButton *m_certificate;

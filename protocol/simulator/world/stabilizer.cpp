@@ -112,8 +112,15 @@ void Stabilizer::setPose(int pose)
 
 void Stabilizer::setHandOnCamera(Hand hand)
 {
-    if (std::exchange(m_handOnCamera, hand) != hand)
-        m_moved = 0;
+    const Hand before = std::exchange(m_handOnCamera, hand);
+    if (before == hand)
+        return;
+    m_moved = 0;
+    constexpr double kTap = 15;  // deg/s: whoever lets go tips it lightly
+    for (const Axis axis : {Axis::Roll, Axis::Pitch}) {
+        if (before == Hand::HoldsLevel && hand == Hand::None)
+            plant(axis).setMotion(plant(axis).trueAngle(), kTap);
+    }
 }
 
 // Each axis to both ends and back, one after the other, as slowly as one looks where the cables are; from
