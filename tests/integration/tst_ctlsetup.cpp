@@ -89,7 +89,7 @@ void TestCtlSetup::anUnpackedGimbalIsTuned()
     QVERIFY(step({u"use"_s, u"use=handheld"_s, u"apply=on"_s}, u"done"_s));
     QVERIFY(step({u"vibration"_s, u"--skip"_s}, u"skipped"_s));
     const QString page = m_dir->filePath(u"certificate.html"_s);
-    const Run last = setup(link, {u"next"_s, u"--certificate"_s, page});
+    const Run last = setup(link, {u"--certificate"_s, page});
     QVERIFY2(last.exitCode == 0, qPrintable(last.err));
     QFile file(page);
     QVERIFY(file.open(QFile::ReadOnly));
