@@ -5,6 +5,7 @@
 #include "app/pages/board/backupspage.h"
 #include "app/pages/board/consolepage.h"
 #include "app/pages/setup/documentspage.h"
+#include "app/pages/setup/guidepage.h"
 #include "app/pages/setup/profilespage.h"
 #include "app/pages/setup/scriptspage.h"
 #include "app/pages/tune/responsepage.h"
@@ -137,6 +138,7 @@ const Caller kCallers[]{
     {"plots", "app/pages/watch/monitorpage.cpp Save picture", true, "simplebgc", [](WindowRig &rig) { chooseOnMonitor(rig, u"Picture…"); }},
     {"import", "app/pages/tune/responsepage.cpp Import a measurement", false, "simplebgc", [](WindowRig &rig) { press<ResponsePage>(rig, u"Import…"); }},
     {"response", "app/pages/tune/responsepage.cpp Export a measurement", true, "simplebgc", exportResponse},
+    {"certificate", "app/pages/setup/guidepage.cpp Save the certificate", true, "simplebgc", [](WindowRig &rig) { press<GuidePage>(rig, u"Certificate…"); }},
     {"profile", "app/pages/setup/profilespage.cpp Load a profile", false, "simplebgc", [](WindowRig &rig) { press<ProfilesPage>(rig, u"Load from file…"); }},
     {"all profiles", "app/pages/setup/profilespage.cpp Load all profiles", false, "simplebgc", [](WindowRig &rig) { press<ProfilesPage>(rig, u"Load all profiles…"); }},
     {"profiles", "app/pages/setup/profilespage.cpp Save profiles", true, "simplebgc", [](WindowRig &rig) { press<ProfilesPage>(rig, u"Save to file…"); }},

@@ -115,8 +115,10 @@ void TestSimulatedFamily::optionsOfOtherFamiliesAreRefused_data()
     QTest::addColumn<QString>("option");
     QTest::addColumn<QString>("list");
     if (isBuiltIn(u"simplebgc"_s))
-        QTest::newRow("simplebgc") << u"simplebgc"_s << u"strict"_s
-                                   << u"seed, firmware, rate, board, number, parity, fault"_s;
+        QTest::newRow("simplebgc")
+            << u"simplebgc"_s << u"strict"_s
+            << u"seed, firmware, rate, board, condition, number, parity, encoders, frame-imu, "
+               "magnetometer, fc, fault"_s;
     if (isBuiltIn(u"storm32"_s))
         QTest::newRow("storm32") << u"storm32"_s << u"parity"_s << u"seed, firmware, rate, strict, fault"_s;
     QTest::newRow("a network has no rate") << u"echo"_s << u"rate"_s << u"seed, firmware, fault"_s;
