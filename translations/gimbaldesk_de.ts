@@ -3988,7 +3988,7 @@
         <translation>Weniger Kanäle oder eine niedrigere Rate verlangen; an einem Kabel eine schnellere serielle Rate einstellen.</translation>
     </message>
     <message>
-        <source>Check cable or network and power, and that the board still answers; then start again.</source>
+        <source>Check its cable or network and its power, and that the board still answers; then start again.</source>
         <translation>Kabel oder Netz und Versorgung prüfen, und ob das Board noch antwortet; dann neu beginnen.</translation>
     </message>
     <message>

@@ -14,7 +14,6 @@
 #include "protocol/transport/linkaddress.h"
 #include "tests/support/boardtime.h"
 #include "tests/support/patience.h"
-#include "tests/support/standstill.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -455,17 +454,17 @@ void TestSupervision::newStreamsAreNoSilence()
     QTimer repeat;
     connect(&repeat, &QTimer::timeout, this, [&] { m_client->setControl(wanted); });
     repeat.start(50);
-    // Where the machine stood still meanwhile, data were late indeed.
+    // Where the machine stood still, data were late indeed, and not only this thread may have stood still;
+    // new streams that count as silence do so each time.
     for (int attempt = 1;; ++attempt) {
         m_reports.clear();
-        StandstillWatch machine;
         for (int i = 0; i < 8; ++i) {
             const std::array<int, 3> &more = i % 2 ? m_client->roles().motorPower : m_client->roles().gyro;
             m_client->subscribe({.channels = ChannelRoles::present({m_client->roles().angle, more}),
                                  .rate = i % 4 < 2 ? 10.0 : 100.0});
             QVERIFY(boardGoesOn(*m_client, 0.8));
         }
-        if (m_reports.isEmpty() || !machine.hasStoodStill() || attempt == 3)
+        if (m_reports.isEmpty() || attempt == 3)
             break;
     }
     m_client->releaseControl();

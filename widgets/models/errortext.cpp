@@ -161,7 +161,7 @@ constexpr auto kErrors = std::to_array<ErrorRow>({
     {ErrorCode::NoSamples,
      QT_TRANSLATE_NOOP("ErrorText", "No live data come."),
      QT_TRANSLATE_NOOP("ErrorText", "The board sends none, none that can be read, or the same again and again; what came before is kept."),
-     QT_TRANSLATE_NOOP("ErrorText", "Check cable or network and power, and that the board still answers; then start again.")},
+     QT_TRANSLATE_NOOP("ErrorText", "Check its cable or network and its power, and that the board still answers; then start again.")},
     {ErrorCode::TooFewSamples,
      QT_TRANSLATE_NOOP("ErrorText", "There are too few samples."),
      QT_TRANSLATE_NOOP("ErrorText", "From so few nothing can be told that would be true."),
