@@ -14,6 +14,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 
 #include <cmath>
 
@@ -322,12 +323,23 @@ void TestGamepadSteering::aHeldStickIsNoIdleOperator()
     m_pads->plug();
     QVERIFY(showControl(u"simplebgc"_s, false));
     QTRY_VERIFY(workspace().gamepad().snapshot().isAlive(Clock::now()));
-    m_control->setArmed(true);
+    // On a machine that stands still for a quarter of a second the board is stopped, as it should be.
+    QSignalSpy stoppedLate(&m_rig->client(), &DeviceClient::failsafeActed);
+    for (int attempt = 1; attempt <= 3; ++attempt) {
+        m_pads->move(kYawAxis, 0);
+        QTRY_COMPARE(workspace().gamepad().snapshot()[GamepadStick::Yaw], 0.0);
+        QTRY_VERIFY(workspace().motorsRunning().value_or(false));
+        m_control->setArmed(true);
+        QVERIFY2(m_control->isArmed(), qPrintable(told()));
+        m_pads->move(kYawAxis, 0.5);
+        const TimePoint since = Clock::now();
+        QTRY_VERIFY_WITH_TIMEOUT(Clock::now() - since > 2500ms, 5000);
+        if (m_control->isArmed() || stoppedLate.isEmpty())
+            break;
+        stoppedLate.clear();
+        workspace().setMotors(true);
+    }
     QVERIFY2(m_control->isArmed(), qPrintable(told()));
-    m_pads->move(kYawAxis, 0.5);
-    const TimePoint since = Clock::now();
-    QTRY_VERIFY_WITH_TIMEOUT(Clock::now() - since > 2500ms, 5000);
-    QVERIFY(m_control->isArmed());
     m_pads->move(kYawAxis, 0);
     QTRY_VERIFY_WITH_TIMEOUT(!m_control->isArmed(), 6000);
 }
