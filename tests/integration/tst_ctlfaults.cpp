@@ -278,13 +278,13 @@ void TestCtlFaults::damagedRecordingIsReadPastTheDamage()
 {
     const SimProcess simulator({u"--tcp"_s, u"0"_s});
     const QString file = path(u"flight.rec"_s);
-    QCOMPARE(ctl({u"--link"_s, simulator.address(), u"record"_s, file, u"--seconds"_s, u"2"_s}).exitCode, 0);
+    QCOMPARE(ctl({u"--link"_s, simulator.address(), u"record"_s, file, u"--seconds"_s, u"6"_s}).exitCode, 0);
     QFile stored(file);
     QVERIFY(stored.open(QIODevice::ReadWrite));
     const QByteArray whole = stored.readAll();
     const Run before = ctl({u"export"_s, file});
     QCOMPARE(before.exitCode, 0);
-    constexpr double kArrivals = 0.3;  // seconds a starved machine delays; times begun anew are off by more
+    constexpr double kArrivals = 1;  // seconds a starved machine delays; times begun anew are off by more
     for (const double place : {0.2, 0.5, 0.8}) {
         const auto at = qsizetype(double(whole.size()) * place);
         QByteArray damaged = whole;
@@ -306,7 +306,7 @@ void TestCtlFaults::damagedRecordingIsReadPastTheDamage()
         // what the other stream told before or after.
         const auto lastOf = [](const QString &text) { return text.trimmed().split(u'\n').last(10); };
         const QStringList lastRows = lastOf(rows);
-        const QStringList undamaged = lastOf(before.out);
+        const QStringList undamaged = before.out.trimmed().split(u'\n');
         const bool isFound = std::any_of(lastRows.begin(), lastRows.end(), [&undamaged](const QString &row) {
             return std::any_of(undamaged.begin(), undamaged.end(), [&row](const QString &other) {
                 const QStringList here = row.split(u',');
@@ -319,7 +319,7 @@ void TestCtlFaults::damagedRecordingIsReadPastTheDamage()
                     && 2 * same > here.size();
             });
         });
-        QVERIFY2(isFound, qPrintable(lastRows.join(u'\n') + u"\n\n"_s + undamaged.join(u'\n')));
+        QVERIFY2(isFound, qPrintable(lastRows.last() + u"\n\n"_s + undamaged.last()));
         QVERIFY(rows.count(u'\n') > before.out.count(u'\n') / 2);
         static const QRegularExpression empty(u"\\n[0-9.]+,+\\n"_s);
         QVERIFY(rows.contains(empty));  // the gap
