@@ -7,6 +7,7 @@
 #include "protocol/device/flight.h"
 #include "protocol/device/steering.h"
 
+#include <QDeadlineTimer>
 #include <QLoggingCategory>
 
 #include <algorithm>
@@ -217,6 +218,18 @@ void DeviceClient::shutDown()
     d->shutDown();
 }
 
+namespace {
+
+// Told again and again: a thread whose event loop missed it once would keep the program for ever.
+void endThread(QThread &thread)
+{
+    do
+        thread.quit();
+    while (!thread.wait(QDeadlineTimer(1s)));
+}
+
+}  // namespace
+
 void DeviceClient::Private::shutDown()
 {
     if (!ioThread.isRunning())
@@ -233,8 +246,7 @@ void DeviceClient::Private::shutDown()
     closeSession();
     closing->tryAcquire(1, int(kLongestFarewell.count()));
     // The worker may still wait for the I/O thread, so it goes first.
-    workerThread.quit();
-    workerThread.wait();
+    endThread(workerThread);
     while (const Delivery next = nextDelivery())
         next();
     now([this] {
@@ -243,8 +255,7 @@ void DeviceClient::Private::shutDown()
         for (FrameListener *listener : foreign)
             session->removeListener(listener);
     });
-    ioThread.quit();
-    ioThread.wait();
+    endThread(ioThread);
 }
 
 void DeviceClient::addListener(FrameListener &listener)
