@@ -421,14 +421,8 @@ void GuidePage::finished(SetupStep step, const Result<SetupResult> &result)
 void GuidePage::endWhatGoesOn(const Error &error)
 {
     const QString key = error.after ? error.after->endedBy : QString();
-    if (key.isEmpty() || !workspace().client().isConnected())
-        return;
-    whenDone(workspace().client().submit<ActionReply>(
-                 [key](Channel &channel, Device &device) { return device.perform(channel, key, {}); }),
-             this, [this](const Result<ActionReply> &ended) {
-                 if (!ended)
-                     workspace().notifications().report(ended.error());
-             });
+    if (!key.isEmpty() && workspace().client().isConnected())
+        workspace().perform(key, {});  // which tells where it fails
 }
 
 // What a step has found stays in sight: the next one is offered in the list, and by a word.
