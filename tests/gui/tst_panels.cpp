@@ -511,9 +511,11 @@ void TestPanels::stopOutrunsWhateverTheWorkerDoes()
     QVERIFY(m_rig->open(kDemo));
     QVERIFY(motorsAre(true));
     QVERIFY(open(u"palette"_s));
-    QSemaphore busy;
-    const auto hold = [&busy](Channel &, Device &) -> Result<bool> {
-        busy.acquire();
+    // Outlives this function where it fails: the worker still waits then.
+    const auto busy = std::make_shared<QSemaphore>();
+    const auto released = qScopeGuard([busy] { busy->release(); });
+    const auto hold = [busy](Channel &, Device &) -> Result<bool> {
+        busy->acquire();
         return true;
     };
     if (work == u"reading"_s) {
@@ -533,10 +535,12 @@ void TestPanels::stopOutrunsWhateverTheWorkerDoes()
     m_rig->client().submit<bool>(hold);
     QSignalSpy off(&m_rig->client(), &DeviceClient::motorsOffFinished);
     click(motors());
-    QTRY_VERIFY(!off.isEmpty() && off.first().first().toBool());
+    // On a machine that stands still the board is asked again before it proves it.
+    QTRY_VERIFY(
+        std::any_of(off.begin(), off.end(), [](const QVariantList &end) { return end.first().toBool(); }));
     QVERIFY(m_rig->client().isBusy());
     QVERIFY(motorsAre(false));
-    busy.release();
+    busy->release();
     QVERIFY(m_rig->jobsAreDone());
     QVERIFY(m_rig->boardGoesOn(1.0));
     QCOMPARE(workspace().motorsRunning(), std::optional(false));

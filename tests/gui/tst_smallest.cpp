@@ -102,6 +102,9 @@ void TestSmallest::figuresOfTheSpectrumAreWhole()
     auto *page = rig.page<SpectrumPage>();
     QTRY_VERIFY(page->bands()->item(0, 1) && page->bands()->item(0, 1)->text().contains(u"RMS"_s));
     QVERIFY(rig.isSettled());
+    // A weak line has the longest figures.
+    const int weakest = page->peaks()->fontMetrics().size(0, u"0.000488 °/s"_s).width();
+    QVERIFY(page->peaks()->columnWidth(2) >= weakest + 12);
     for (const QTableWidget *table : {page->bands(), page->peaks()}) {
         for (int column = 0; column < table->columnCount(); ++column) {
             const auto room = [table, column](const QString &text) {

@@ -64,12 +64,45 @@ QString bandText(double rms, double peak)
     return SpectrumPage::tr("%1° RMS\n%2° peak").arg(numberText(rms, 3), numberText(peak, 3));
 }
 
-/// Of a column in which both lines stand in full.
-int bandWidth(const QTableWidget &table)
+QString frequencyText(double hertz)
+{
+    return SpectrumPage::tr("%1 Hz").arg(numberText(hertz, 1));
+}
+
+QString rmsText(double rms, const QString &unit)
+{
+    return u"%1 %2"_s.arg(shortNumberText(rms, 3)).arg(unit);
+}
+
+QStringList bandNames()
+{
+    return {SpectrumPage::tr("Sway"), SpectrumPage::tr("Wobble"), SpectrumPage::tr("Jitter")};
+}
+
+/// Of a column in which that text stands in full, of several lines the longest.
+int columnWidthFor(const QTableWidget &table, const QString &text)
 {
     const int padding = 2 * (table.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &table) + 1)
         + 2 * Metric::kGap;
-    return table.fontMetrics().size(0, bandText(88.888, 88.888)).width() + padding;
+    return table.fontMetrics().size(0, text).width() + padding;
+}
+
+/// Columns after the first as wide as these texts or their titles; the first takes the rest, at least the
+/// same.
+void fixColumns(QTableWidget &table, const QStringList &widest)
+{
+    QHeaderView *header = table.horizontalHeader();
+    int width = 0;
+    for (int column = 0; column < table.columnCount(); ++column) {
+        const int needed = std::max(columnWidthFor(table, widest[column]),
+                                    columnWidthFor(table, table.horizontalHeaderItem(column)->text()));
+        width += needed;
+        if (column == 0)
+            continue;
+        header->setSectionResizeMode(column, QHeaderView::Fixed);
+        header->resizeSection(column, needed);
+    }
+    table.setMinimumWidth(width + 2 * table.frameWidth());
 }
 
 void setText(QTableWidget *table, int row, int column, const QString &text)
@@ -135,12 +168,11 @@ SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
     bands->content()->addLayout(buttons);
     m_bands->setRowCount(int(kHoldingBands.size()));
     m_bands->verticalHeader()->setDefaultSectionSize(2 * m_bands->fontMetrics().lineSpacing() + Metric::kGap);
-    for (int column = 1; column < m_peaks->columnCount(); ++column)
-        m_peaks->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
-    for (int column = 1; column < m_bands->columnCount(); ++column) {
-        m_bands->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Fixed);
-        m_bands->horizontalHeader()->resizeSection(column, bandWidth(*m_bands));
-    }
+    const QStringList axes{axisLabel(Axis::Roll), axisLabel(Axis::Pitch), axisLabel(Axis::Yaw)};
+    fixColumns(*m_peaks,
+               {axes.join(u'\n'), frequencyText(888.8), rmsText(0.000888, u"°/s"_s), frequencyText(88.8)});
+    const QString band = bandText(88.888, 88.888);
+    fixColumns(*m_bands, {bandNames().join(u'\n') + u"\n0.88–888 Hz"_s, band, band, band});
     nameBands({});
     auto *row = new QHBoxLayout;
     row->setSpacing(Metric::kGroupGap);
@@ -448,9 +480,9 @@ void SpectrumPage::showPeaks(const QString &unit)
         const Axis axis = m_lines[std::size_t(row)].axis;
         const SpectrumPeak &peak = m_lines[std::size_t(row)].peak;
         setText(m_peaks, row, 0, axisLabel(axis));
-        setText(m_peaks, row, 1, tr("%1 Hz").arg(numberText(peak.frequency, 1)));
-        setText(m_peaks, row, 2, u"%1 %2"_s.arg(shortNumberText(peak.rms, 3)).arg(unit));
-        setText(m_peaks, row, 3, tr("%1 Hz").arg(numberText(peak.width, 1)));
+        setText(m_peaks, row, 1, frequencyText(peak.frequency));
+        setText(m_peaks, row, 2, rmsText(peak.rms, unit));
+        setText(m_peaks, row, 3, frequencyText(peak.width));
     }
     updateNotch();
 }
@@ -538,7 +570,7 @@ void SpectrumPage::askNotch()
 // The bands, as far as they could be measured.
 void SpectrumPage::nameBands(const std::vector<BandQuality> &measured)
 {
-    const QStringList names{tr("Sway"), tr("Wobble"), tr("Jitter")};
+    const QStringList names = bandNames();
     for (std::size_t i = 0; i < kHoldingBands.size(); ++i) {
         const Band &band = i < measured.size() && measured[i].known ? measured[i].band : kHoldingBands[i];
         setText(m_bands, int(i), 0,
