@@ -7,7 +7,6 @@
 #include "protocol/device/flight.h"
 #include "protocol/device/steering.h"
 
-#include <QDeadlineTimer>
 #include <QLoggingCategory>
 
 #include <algorithm>
@@ -218,18 +217,6 @@ void DeviceClient::shutDown()
     d->shutDown();
 }
 
-namespace {
-
-// Told again and again: a thread whose event loop missed it once would keep the program for ever.
-void endThread(QThread &thread)
-{
-    do
-        thread.quit();
-    while (!thread.wait(QDeadlineTimer(1s)));
-}
-
-}  // namespace
-
 void DeviceClient::Private::shutDown()
 {
     if (!ioThread.isRunning())
@@ -246,7 +233,8 @@ void DeviceClient::Private::shutDown()
     closeSession();
     closing->tryAcquire(1, int(kLongestFarewell.count()));
     // The worker may still wait for the I/O thread, so it goes first.
-    endThread(workerThread);
+    workerThread.quit();
+    workerThread.wait();
     while (const Delivery next = nextDelivery())
         next();
     now([this] {
@@ -255,7 +243,8 @@ void DeviceClient::Private::shutDown()
         for (FrameListener *listener : foreign)
             session->removeListener(listener);
     });
-    endThread(ioThread);
+    ioThread.quit();
+    ioThread.wait();
 }
 
 void DeviceClient::addListener(FrameListener &listener)
