@@ -787,6 +787,14 @@
         <source>Calibrated.</source>
         <translation>Kalibriert.</translation>
     </message>
+    <message>
+        <source>Outputs unknown</source>
+        <translation>Ausgänge unbekannt</translation>
+    </message>
+    <message>
+        <source>Disarmed. It does not tell what its motors do: see that they stand.</source>
+        <translation>Entschärft. Was die Motoren tun, meldet sie nicht: nachsehen, ob sie stehen.</translation>
+    </message>
 </context>
 <context>
     <name>AttitudeView</name>
@@ -5921,10 +5929,6 @@
         <translation>■ STOPP (taub: %1 s)</translation>
     </message>
     <message>
-        <source>Serial port, tcp://host:port, udp://host:port, or a simulated board</source>
-        <translation>Serielle Schnittstelle, tcp://Host:Port, udp://Host:Port oder ein simuliertes Board</translation>
-    </message>
-    <message>
         <source>%1 at %2</source>
         <translation>%1 unter %2</translation>
     </message>
@@ -5935,6 +5939,14 @@
     <message>
         <source>The video is being recorded to %1</source>
         <translation>Das Video wird aufgenommen in %1</translation>
+    </message>
+    <message>
+        <source>Serial port, tcp://host:port, udp://host[:port], or a simulated board</source>
+        <translation>Serielle Schnittstelle, tcp://host:port, udp://host[:port] oder ein simuliertes Board</translation>
+    </message>
+    <message>
+        <source>F12 stops the motors from anywhere, in flight as well: it falls</source>
+        <translation>F12 hält die Motoren von überall an, auch im Flug: sie fällt</translation>
     </message>
 </context>
 <context>
@@ -6956,6 +6968,10 @@
     <message>
         <source>The board hears nothing until %1, also no stop. The stop is queued as the first thing that it hears then. To stop it at once, disconnect the battery.</source>
         <translation>Das Board hört bis %1 nichts, auch kein Anhalten. Das Anhalten ist eingereiht und wird als Erstes gehört. Sofort anhalten: den Akku abziehen.</translation>
+    </message>
+    <message>
+        <source>The drone was disarmed, and does not tell what its motors do. See that they stand before you come near.</source>
+        <translation>Die Drohne wurde entschärft und meldet nicht, was ihre Motoren tun. Vor dem Herangehen nachsehen, ob sie stehen.</translation>
     </message>
 </context>
 <context>
@@ -18873,6 +18889,10 @@ Spitze %2°</translation>
     <message>
         <source>The board holds other values since: do it again.</source>
         <translation>Das Board hält seither andere Werte: wiederholen Sie den Schritt.</translation>
+    </message>
+    <message>
+        <source>the drone&apos;s Lua does not know binary numbers</source>
+        <translation>das Lua der Drohne kennt keine Binärzahlen</translation>
     </message>
 </context>
 <context>

@@ -185,6 +185,11 @@ private:
         CommandOutcome outcome = doneOutcome(kStopKey, {});
         QJsonObject json = outcome.json.toObject();
         json.insert(u"restored"_s, restored);
+        if (m_client->areOutputsUnknown()) {
+            json.insert(u"outputs"_s, u"unknown"_s);
+            outcome.note = u"disarmed; it does not tell what its motors do: see that they stand before you "
+                           u"come near"_s;
+        }
         outcome.json = json;
         if (!restored)
             outcome = notDone(

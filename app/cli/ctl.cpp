@@ -105,7 +105,7 @@ QString Ctl::helpText() const
 {
     QString text
         = u"gimbalctl --link ADDRESS [--family F] [--json] COMMAND\n\n"
-          u"ADDRESS: serial:/dev/ttyUSB0?baud=115200&parity=none, tcp://host:port, udp://host:port,\n"
+          u"ADDRESS: serial:/dev/ttyUSB0?baud=115200&parity=none, tcp://host:port, udp://host[:port],\n"
           u"         sim:F?seed=1, replay:FILE?speed=4 (if it is damaged: exit code 1 without --partial)\n"
           u"F: %1\n\n"_s.arg(familyKeys(u" or "_s));
     for (const auto &command : m_commands)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Texts that boards keep: a configuration, a mission.
-#include "app/cli/command.h"
+#include "app/cli/actioncommand.h"
 #include "protocol/base/filefault.h"
 #include "protocol/configuration/linediff.h"
 #include "protocol/configuration/scriptlanguage.h"
@@ -282,7 +282,24 @@ QString differenceText(const std::vector<DiffLine> &lines)
     return text;
 }
 
+namespace {
+
+class RecordingsCommand final : public ActionCommand
+{
+public:
+    using ActionCommand::ActionCommand;
+    const char *name() const override { return "recordings"; }
+    QString help() const override { return u"list the recordings that the drone keeps"_s; }
+    const char *example() const override { return "--link udp://192.168.32.1:2020 recordings"; }
+
+protected:
+    QString actionKey() const override { return u"recordings"_s; }
+    QStringList given() const override { return {}; }
+};
+
+}  // namespace
+
 Commands textCommands(const CommandContext &context)
 {
-    return makeCommands<ConfigCommand>(context);
+    return makeCommands<ConfigCommand, RecordingsCommand>(context);
 }

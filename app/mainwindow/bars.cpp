@@ -277,11 +277,8 @@ QString UnstoredBar::reloadAction() const
 {
     if (!m_workspace.client().isConnected())
         return {};
-    for (const ActionSpec &action : m_workspace.client().device()->actions()) {
-        if (action.memory == MemoryEffect::Reloads)
-            return QString::fromLatin1(action.key);
-    }
-    return {};
+    const ActionSpec *action = reloadingAction(m_workspace.client().device()->actions());
+    return action ? QString::fromLatin1(action->key) : QString();
 }
 
 void UnstoredBar::goBack()

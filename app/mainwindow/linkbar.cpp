@@ -55,7 +55,7 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
     m_address->setMinimumWidth(kAddressWidth);
     m_address->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     m_address->setAccessibleName(tr("Port or address of the board"));
-    m_address->setToolTip(tr("Serial port, tcp://host:port, udp://host:port, or a simulated board"));
+    m_address->setToolTip(tr("Serial port, tcp://host:port, udp://host[:port], or a simulated board"));
     m_address->lineEdit()->setPlaceholderText(tr("Port or tcp://host:port"));
     m_connect->setObjectName(u"primary"_s);
     for (QLabel *badge : {m_badge, m_recording}) {
@@ -71,7 +71,6 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
     m_profile->setMinimumWidth(140);
     m_motors->setObjectName(u"motors"_s);
     m_motors->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard where it was
-    m_motors->setToolTip(tr("F12 stops the motors from anywhere"));
     m_profileLabel->setObjectName(u"muted"_s);
     m_profileLabel->setBuddy(m_profile);
 
@@ -431,6 +430,8 @@ void LinkBar::updateMotors()
     }
     // What is armed, or does not say that it is not, may run at any moment.
     const int armed = m_workspace.roles().armed;
+    m_motors->setToolTip(armed < 0 ? tr("F12 stops the motors from anywhere")
+                                   : tr("F12 stops the motors from anywhere, in flight as well: it falls"));
     const bool mayBeArmed = armed >= 0 && freshlyTold(m_workspace, armed).value_or(true);
     const bool red = linked && (mayRun || mayBeArmed);
     if (m_motors->property("running").toBool() != red) {

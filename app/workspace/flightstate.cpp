@@ -13,19 +13,12 @@
 
 #include <cmath>
 
-namespace {
-
-// The state is asked for five times a second; a lost packet or two are no news.
-constexpr auto kOldState = 1500ms;
-
-}  // namespace
-
 std::optional<bool> freshlyTold(const Workspace &workspace, int channel)
 {
     const auto store = workspace.client().telemetry();
     const double value = workspace.latest(channel);
     if (!workspace.client().isConnected() || !store || channel < 0 || std::isnan(value)
-        || Clock::now() - store->latestAt(channel) > kOldState)
+        || Clock::now() - store->latestAt(channel) > kOldFlightState)
         return {};
     return value != 0;
 }

@@ -463,7 +463,13 @@ void Notifications::onMotorsOff(bool confirmed)
         settle(Concern::Start);
         settle(Concern::Motors);
         settle(Concern::Steering);
-        notify(tr("The motors were switched off."), Notice::Done, Concern::Stopped);
+        if (m_client.areOutputsUnknown())
+            notify(
+                tr("The drone was disarmed, and does not tell what its motors do. See that they stand before "
+                   "you come near."),
+                Notice::Attention, Concern::Stopped);
+        else
+            notify(tr("The motors were switched off."), Notice::Done, Concern::Stopped);
         return;
     }
     settle(Concern::Stopped);

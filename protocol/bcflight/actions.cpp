@@ -47,17 +47,21 @@ int channelInBand(int channelNumber)
     return (channelNumber - 1) % kBandSize + 1;
 }
 
+enum class Standing { Driven, Stands, Untold };
+
 // What it streamed before the stop is passed over; where nothing is streamed, nothing tells.
-Result<bool> stand(Mailbox &outputs)
+Result<Standing> standing(Mailbox &outputs)
 {
     for (int i = 0; i < kOutputsLooked; ++i) {
         const auto told = outputs.next(kOutputsCome);
         if (!told && told.error().code != ErrorCode::Timeout)
             return tl::unexpected(told.error());
-        if (!told || !areDriven(outputsIn(asBytes(told->payload))))
-            return true;
+        if (!told)
+            return Standing::Untold;
+        if (!areDriven(outputsIn(asBytes(told->payload))))
+            return Standing::Stands;
     }
-    return false;
+    return Standing::Driven;
 }
 
 void flatten(const QList<InfoNode> &nodes, const QString &path, ActionReply &reply)
@@ -154,10 +158,12 @@ Result<ActionReply> Device::stopMotors(Channel &channel)
         }
         now = status(channel);
         if (now && !now->armed) {
-            const auto standing = stand(*outputs);
-            if (!standing)
-                return tl::unexpected(standing.error());
-            if (*standing)
+            const auto seen = standing(*outputs);
+            if (!seen)
+                return tl::unexpected(seen.error());
+            if (*seen == Standing::Untold)
+                return ActionReply{{u"outputs"_s, u"not told"_s}};
+            if (*seen == Standing::Stands)
                 return ActionReply();
         }
         if (!now && now.error().code != ErrorCode::Timeout)
@@ -244,6 +250,9 @@ Result<ActionReply> Device::setTransmitter(Channel &channel, Message id, int wan
     const auto there = transmitter(channel);
     if (!there)
         return there;
+    const auto steps = there->value(u"powers"_s).toString().split(u' ', Qt::SkipEmptyParts).size();
+    if (id == Message::VtxSetPower && wanted >= steps)
+        return failure(ErrorCode::OutOfRange, u"the transmitter has %1 steps of power"_s.arg(steps));
     if (const auto set = channel.transact(ask(id, QByteArray(1, char(wanted)))); !set)
         return tl::unexpected(set.error());
     const auto now = transmitter(channel);
@@ -385,9 +394,17 @@ Result<ActionReply> Device::beDeaf(Channel &channel, const Request &request,
                    u"the drone does not answer any more; only switching it off and on helps"_s);
 }
 
+// Over TCP its silence may cost the link (errata 2.6), and with it the stop that it has to hear first.
+Result<void> Device::checkMayTurn() const
+{
+    return m_isWhole ? Result<void>() : failure(ErrorCode::Unsupported, u"motors are turned over UDP only"_s);
+}
+
 // Errata 7.7: an index that it has not ends its program, and a test before a calibration hangs it.
 Result<ActionReply> Device::testMotor(Channel &channel, int motor)
 {
+    if (const auto may = checkMayTurn(); !may)
+        return tl::unexpected(may.error());
     const auto outputs
         = channel.listen([](const FrameView &frame) { return frame.id == int(Message::MotorsSpeed); });
     const auto now = status(channel);
@@ -413,6 +430,8 @@ Result<ActionReply> Device::testMotor(Channel &channel, int motor)
 
 Result<ActionReply> Device::calibrateEscs(Channel &channel)
 {
+    if (const auto may = checkMayTurn(); !may)
+        return tl::unexpected(may.error());
     const auto now = status(channel);
     if (!now)
         return tl::unexpected(now.error());
@@ -423,7 +442,7 @@ Result<ActionReply> Device::calibrateEscs(Channel &channel)
     return beDeaf(channel, order(Message::CalibrateEscs), kPhases, {});
 }
 
-Result<QByteArray> Device::withGains(const QByteArray &text, const QByteArray &gains, int &changed)
+Result<QByteArray> Device::withGains(const QByteArray &text, const QByteArray &gains, int &changed) const
 {
     const auto scales = findScales(text);
     if (!scales)
@@ -440,7 +459,14 @@ Result<QByteArray> Device::withGains(const QByteArray &text, const QByteArray &g
         const Literal &literal = (*found)[term];
         if (float(literal.value * scale) == gain)
             continue;
-        next = replaced(next, literal, literalFor(gain, scale));
+        // Another ground may have set anything, and what is no number names a variable there.
+        const double value = literalFor(gain, scale);
+        if (const auto known = checkAdjustable({variable, double(gain)}); !known)
+            return tl::unexpected(known.error());
+        if (!std::isfinite(value))
+            return failure(ErrorCode::ConditionUnmet,
+                           u"the scale of a gain in the text is %1, which gives no number"_s.arg(scale));
+        next = replaced(next, literal, value);
         ++changed;
     }
     return next;

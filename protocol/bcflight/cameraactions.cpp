@@ -67,14 +67,45 @@ Result<ActionReply> Device::performCamera(Channel &channel, const QString &key, 
     return failure(ErrorCode::Unsupported, key);
 }
 
-// Each of these switches to the next one: a repeated command would switch once more.
+Request Device::acknowledgement(int number) const
+{
+    Request echo = ask(Message::Status);
+    echo.name = u"ACK_ID"_s;
+    echo.bytes = encodeAck(number);
+    echo.answer = [number](const FrameView &frame) -> std::optional<Result<Frame>> {
+        return frame.id == int(Message::Ack) + number ? std::optional(Result<Frame>(Frame(frame)))
+                                                      : std::nullopt;
+    };
+    return echo;
+}
+
+// What it heard last from whomever is not known, so the first one of a link is a number of its own.
+Result<Request> Device::once(Channel &channel, Request request)
+{
+    if (m_operation == 0) {
+        if (const auto heard = channel.transact(acknowledgement(1)); !heard)
+            return tl::unexpected(heard.error());
+        m_operation = 1;
+    }
+    constexpr int kLastOperation = 126;
+    m_operation = m_operation == kLastOperation ? 1 : m_operation + 1;
+    request.bytes.prepend(encodeAck(m_operation));
+    return request;
+}
+
+// Each of these switches to the next one; repeated under its number it only tells (errata 5). A drone without
+// a camera says so.
 Result<ActionReply> Device::switchCamera(Channel &channel, Message id, const QString &figure)
 {
-    Request request = ask(id);
-    request.idempotent = false;
-    const auto reply = channel.transact(request);
+    const auto request = once(channel, ask(id));
+    if (!request)
+        return tl::unexpected(request.error());
+    const auto reply = channel.transact(*request);
+    if (!reply && reply.error().code == ErrorCode::Timeout)
+        return failure(ErrorCode::NotProven,
+                       u"no answer came; whether the camera has switched is not known"_s);
     if (!reply)
-        return tl::unexpected(withoutCamera(reply.error()));
+        return tl::unexpected(reply.error());
     const QString word = cameraWord(*reply);
     if (word == u"(none)"_s)
         return failure(ErrorCode::Unsupported, u"the drone has no camera"_s);

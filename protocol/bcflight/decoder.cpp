@@ -18,6 +18,7 @@ namespace {
 constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
 constexpr float kAbsurd = 1e5F;
 constexpr Duration kStreamed = 2s;
+constexpr std::size_t kPlausibleMotors = 32;
 constexpr float kLevelUnknown = -200;
 constexpr int kLevelUnknownByte = 56;  // the same, cut to a byte
 
@@ -48,6 +49,12 @@ constexpr Place kPlaces[] = {
     {Message::ReceiveLevel, LinkLevel},
     {Message::StabilizerFrequency, Loops},
 };
+
+// Neither none nor beyond anything that can be measured (errata 8.2).
+bool isNumber(float value)
+{
+    return std::isfinite(value) && std::abs(value) <= kAbsurd;
+}
 
 // What the attitude unit measures or makes of it (errata 8.1).
 bool isOfAttitude(Message id)
@@ -117,7 +124,7 @@ bool Decoder::isCurrentTold(double ampere)
 void Decoder::put(int first, std::vector<float> values, TimePoint at, TelemetryStore &store)
 {
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (std::abs(values[i]) < kAbsurd)
+        if (isNumber(values[i]))
             continue;
         values[i] = kNoNumber;
         store.countInvalid(first + int(i));
@@ -131,15 +138,17 @@ void Decoder::put(int first, std::vector<float> values, TimePoint at, TelemetryS
     store.append(*group, at, values);
 }
 
-// Shares of full output, nominal 0 to 1; they can exceed it (errata 6.3).
+// Shares of full output, nominal 0 to 1; they can exceed it (errata 6.3). Of more motors than there are
+// channels, all count for whether any is driven.
 void Decoder::putOutputs(Bytes payload, TimePoint at, TelemetryStore &store)
 {
     std::vector<float> values = outputsIn(payload);
-    if (values.empty() || values.size() > kMostMotors)
+    if (values.empty() || values.size() > kPlausibleMotors)
         return;
     const bool isKnown
-        = std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); });
+        = std::all_of(values.begin(), values.end(), [](float value) { return isNumber(value); });
     const bool isDriven = areDriven(values);
+    values.resize(std::min(values.size(), std::size_t(kMostMotors)));
     if (!m_outputs || m_motors != values.size()) {
         m_motors = values.size();
         QList<int> channels(int(m_motors), 0);
@@ -147,9 +156,9 @@ void Decoder::putOutputs(Bytes payload, TimePoint at, TelemetryStore &store)
         m_outputs = store.defineGroup(channels << int(Outputs), 0);
     }
     for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] *= 100;
-        if (!std::isfinite(values[i]))
+        if (!isNumber(values[i]))
             store.countInvalid(Motor1 + int(i));
+        values[i] = isNumber(values[i]) ? values[i] * 100 : kNoNumber;
     }
     values.push_back(isKnown ? float(isDriven) : kNoNumber);
     store.append(*m_outputs, at, values);
@@ -187,8 +196,8 @@ void Decoder::putSpectrum(Bytes payload, TimePoint at, TelemetryStore &store)
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<float> bins;
         for (std::size_t i = std::size_t(axis); i < numbers.size(); i += 4) {
-            bins.push_back(std::isfinite(numbers[i]) ? numbers[i] : kNoNumber);
-            if (!std::isfinite(numbers[i]))
+            bins.push_back(isNumber(numbers[i]) ? numbers[i] : kNoNumber);
+            if (!isNumber(numbers[i]))
                 store.countInvalid(SpectrumRoll + axis);
         }
         store.appendArray(SpectrumRoll + axis, at, std::move(bins));

@@ -29,7 +29,7 @@ private:
         m_groups;  // by first channel and count
     std::shared_ptr<TelemetryGroup> m_outputs;
     std::size_t m_motors = 0;
-    bool m_isBlind = false;  // its attitude unit is off
+    bool m_isBlind = true;  // its attitude unit is off, or nothing has told yet that it is on
     bool m_hasCurrent = false;  // something else than 0 was told of it
     TimePoint m_streamedAt{};  // the battery, in the stream
 };

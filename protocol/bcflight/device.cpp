@@ -159,12 +159,10 @@ Result<Generation> Device::detect(Channel &channel)
     status.retries = 5;
     if (const auto current = isAnswered(status); !current || *current)
         return current ? Result<Generation>(Generation::G) : tl::unexpected(current.error());
-    Request echo = ask(Message::Status);
-    echo.name = u"ACK_ID"_s;
-    echo.bytes = encodeAck(1);
-    echo.answer = [](const FrameView &frame) { return accept(frame, Message(int(Message::Ack) + 1)); };
     // C and D cannot be told apart without risk.
-    return isAnswered(echo).map([](bool answers) { return answers ? Generation::E : Generation::C; });
+    return isAnswered(acknowledgement(1)).map([](bool answers) {
+        return answers ? Generation::E : Generation::C;
+    });
 }
 
 Result<BoardIdentity> Device::identify(Channel &channel)
@@ -175,6 +173,7 @@ Result<BoardIdentity> Device::identify(Channel &channel)
     m_generation = *generation;
     m_isWhole = channel.observation().isPacketBased;
     m_isHeld = false;
+    m_operation = 0;
     BoardIdentity identity;
     identity.family = u"bcflight"_s;
     identity.firmwareNumber = int(m_generation);

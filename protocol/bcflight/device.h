@@ -152,9 +152,11 @@ private:
     Result<ActionReply> calibrate(Channel &channel, bool isFull);
     Result<ActionReply> storeGains(Channel &channel);
     /// The text with these gains, one literal each. Errors: those of findGains() and findScales().
-    [[nodiscard]] static Result<QByteArray> withGains(const QByteArray &text, const QByteArray &gains,
-                                                      int &changed);
+    [[nodiscard]] Result<QByteArray> withGains(const QByteArray &text, const QByteArray &gains,
+                                               int &changed) const;
     Result<ActionReply> stopMotors(Channel &channel);
+    /// Errors: Unsupported over a stream.
+    [[nodiscard]] Result<void> checkMayTurn() const;
     Result<ActionReply> testMotor(Channel &channel, int motor);
     Result<ActionReply> calibrateEscs(Channel &channel);
     Result<ActionReply> transmitter(Channel &channel) const;
@@ -165,6 +167,11 @@ private:
 
     // cameraactions.cpp
     Result<ActionReply> performCamera(Channel &channel, const QString &key, const QVariantMap &arguments);
+    /// The question for an ACK_ID of that number.
+    [[nodiscard]] Request acknowledgement(int number) const;
+    /// Numbered, so that the drone does it once however often it hears it (errata 5). Errors: those of the
+    /// channel.
+    Result<Request> once(Channel &channel, Request request);
     Result<ActionReply> switchCamera(Channel &channel, Message id, const QString &figure);
     Result<ActionReply> tellCamera(Channel &channel);
     Result<ActionReply> tellLens(Channel &channel);
@@ -187,6 +194,7 @@ private:
     Generation m_generation = Generation::Unknown;
     bool m_isWhole = false;  // what is sent arrives in one piece
     std::atomic<bool> m_isHeld = false;
+    int m_operation = 0;  // number of the last one that must not be done twice; 0: none over this link
     BoardIdentity m_identity;
     std::shared_ptr<const ParameterSet> m_parameters;
     std::vector<QByteArray> m_adjustableKeys;

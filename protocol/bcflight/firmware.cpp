@@ -167,7 +167,7 @@ Result<ActionReply> Device::uploadFirmware(Channel &channel, const QString &path
         return tl::unexpected(leftSilent({ErrorCode::Cancelled, {}, 0}));
     const Unbroken unbroken(channel);
     if (const auto replaced = replaceProgram(channel, crc32c(asBytes(*image))); !replaced)
-        return tl::unexpected(replaced.error());
+        return tl::unexpected(status(channel) ? leftSilent(replaced.error()) : replaced.error());
     const auto after = firmwareVersion(channel);
     if (!after)
         return tl::unexpected(after.error());

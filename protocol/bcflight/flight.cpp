@@ -32,17 +32,17 @@ constexpr SteeringSwitch kArmSwitch[] = {{.key = "arm", .label = "Arm", .choices
 
 constexpr auto kOutputsTold = 600ms;  // every tenth of a second where they are streamed (errata 8)
 
-// "Disarmed" does not mean that the motors stand (errata 9.2, 8). Where the outputs are streamed, they tell.
+// "Disarmed" does not mean that the motors stand (errata 9.2, 8): outputs that are streamed tell.
 Proof standsStill(const LatestValues &latest, TimePoint since)
 {
     if (latest.latestAt(Armed) <= since || std::isnan(latest.latest(Armed)))
         return Proof::Nothing;
     if (latest.latest(Armed) != 0)
         return Proof::Refuted;
-    // Without a stream of them nothing tells; but one that has just been connected has had no time to tell.
-    if (latest.latestAt(Outputs) == TimePoint{})
+    // Where they have had the time to tell and do not, its word has to do; whoever reports it says so.
+    if (latest.latestAt(Outputs) <= since)
         return latest.latestAt(Armed) >= since + kOutputsTold ? Proof::Proven : Proof::Nothing;
-    if (latest.latestAt(Outputs) <= since || std::isnan(latest.latest(Outputs)))
+    if (std::isnan(latest.latest(Outputs)))
         return Proof::Nothing;
     return latest.latest(Outputs) == 0 ? Proof::Proven : Proof::Refuted;
 }
@@ -122,8 +122,13 @@ QByteArray Device::axesKey(const Configuration &configuration) const
         return {};
     for (const QString &name : {u"pid_roll"_s, u"pid_pitch"_s, u"pid_yaw"_s}) {
         const auto gains = findGains(text, name);
-        if (gains)
-            text.remove(gains->front().from, gains->back().to - gains->front().from);
+        if (!gains)
+            continue;
+        // How strong they are is no matter, which way they work is.
+        QByteArray signs;
+        for (const Literal &gain : *gains)
+            signs += gain.value < 0 ? '-' : '+';
+        text.replace(gains->front().from, gains->back().to - gains->front().from, signs);
     }
     return QCryptographicHash::hash(text, QCryptographicHash::Sha1).toHex();
 }

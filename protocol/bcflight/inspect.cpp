@@ -89,6 +89,12 @@ bool isTyped(const MessageSpec &message, Generation generation)
         && !isDeaf && generation >= message.askedSince && wireId(id, generation) >= 0;
 }
 
+QString withNote(const MessageSpec &message, const QString &fields)
+{
+    const QString note = QLatin1String(message.note);
+    return note.isEmpty() ? fields : fields.isEmpty() ? u"(%1)"_s.arg(note) : u"%1 (%2)"_s.arg(fields, note);
+}
+
 }  // namespace
 
 FrameText Device::describeFrame(const FrameView &frame, bool fromBoard) const
@@ -103,7 +109,7 @@ FrameText Device::describeFrame(const FrameView &frame, bool fromBoard) const
     if (!fields)
         return {spec ? QString::fromLatin1(spec->name) : u"?"_s, hexText(frame.payload)};
     return {QString::fromLatin1(spec->name),
-            fieldsText(*fields, frame.payload, Controls::size(m_generation))};
+            withNote(*spec, fieldsText(*fields, frame.payload, Controls::size(m_generation)))};
 }
 
 // What is sent is a list of messages as well, in the ground's own forms.
@@ -131,7 +137,8 @@ FrameText Device::describeSent(QByteArrayView bytes) const
         const std::size_t size
             = std::min(payloadSize(*spec->fromGround, rest, sticks).value_or(rest.size()), rest.size());
         names.append(QString::fromLatin1(spec->name));
-        if (const QString text = fieldsText(*spec->fromGround, rest.first(size), sticks); !text.isEmpty())
+        const QString text = withNote(*spec, fieldsText(*spec->fromGround, rest.first(size), sticks));
+        if (!text.isEmpty())
             texts.append(text);
         rest = rest.subspan(size);
     }

@@ -94,18 +94,17 @@ std::optional<ScriptMistake> findMistake(const QByteArray &text)
         const char *said = lua_tostring(state.get(), -1);
         return compilerMistake(QString::fromUtf8(said ? said : "?"));
     }
-    // An escape of later versions, which can only stand in a string: where it is one, the text without
-    // strings does not have it.
     const QByteArray code = onlyCode(text);
     if (code.trimmed().isEmpty())
         return ScriptMistake{
             0, 0, QT_TRANSLATE_NOOP("Tables", "it sets nothing; the drone would not start with it"), {}};
-    for (qsizetype at = text.indexOf("\\u{"); at >= 0; at = text.indexOf("\\u{", at + 1)) {
-        const bool isEscaped = at > 0 && text.at(at - 1) == '\\';
-        const bool isComment = text.lastIndexOf("--", at) > text.lastIndexOf('\n', at);
-        if (code.mid(at, 3) != "\\u{" && !isEscaped && !isComment)
-            return mistakeAt(text, at, QT_TRANSLATE_NOOP("Tables", "the drone's Lua does not know \\u{}"));
-    }
+    if (const qsizetype at = laterEscape(text); at >= 0)
+        return mistakeAt(text, at, QT_TRANSLATE_NOOP("Tables", "the drone's Lua does not know \\u{}"));
+    // Those of later versions of LuaJIT, which checks here.
+    static const QRegularExpression binary(u"(?<![\\w.])0[bB][01]"_s);
+    if (const auto match = binary.match(QString::fromLatin1(code)); match.hasMatch())
+        return mistakeAt(text, match.capturedStart(),
+                         QT_TRANSLATE_NOOP("Tables", "the drone's Lua does not know binary numbers"));
     return {};
 }
 

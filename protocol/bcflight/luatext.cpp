@@ -62,6 +62,32 @@ qsizetype endOfQuoted(const QByteArray &text, qsizetype at)
     return text.size();
 }
 
+enum class Part { Comment, Long, Quoted };
+
+// What is no code: comments, and strings in long brackets and in quotes.
+template <typename F> void eachPart(const QByteArray &text, F &&take)
+{
+    for (qsizetype at = 0; at < text.size();) {
+        const bool isComment = text[at] == '-' && at + 1 < text.size() && text[at + 1] == '-';
+        const qsizetype from = isComment ? at + 2 : at;
+        const bool isQuoted = text[at] == '"' || text[at] == '\'';
+        const qsizetype opening = longBracket(text, from);
+        if (!isComment && !isQuoted && opening == 0) {
+            ++at;
+            continue;
+        }
+        qsizetype end = text.size();
+        if (opening > 0)
+            end = endOfLong(text, from, opening);
+        else if (isQuoted)
+            end = endOfQuoted(text, at);
+        else if (const qsizetype line = text.indexOf('\n', at); line >= 0)
+            end = line;
+        take(isComment ? Part::Comment : isQuoted ? Part::Quoted : Part::Long, at, end);
+        at = end;
+    }
+}
+
 void skipSpace(const QByteArray &code, qsizetype &at)
 {
     while (at < code.size() && std::isspace(static_cast<unsigned char>(code[at])))
@@ -108,12 +134,13 @@ std::optional<Literal> takeNumber(const QByteArray &code, qsizetype &at)
     return literal;
 }
 
-// Where `name =` is set, each place behind the sign.
+// Where `name =` is set, each place behind the sign; of a table (`stabilizer.name =`) as well, because that
+// may be the same.
 std::vector<qsizetype> assignments(const QByteArray &code, const QByteArray &name)
 {
     std::vector<qsizetype> places;
     for (qsizetype at = code.indexOf(name); at >= 0; at = code.indexOf(name, at + 1)) {
-        if (at > 0 && (isWordLetter(code[at - 1]) || code[at - 1] == '.'))
+        if (at > 0 && isWordLetter(code[at - 1]))
             continue;
         qsizetype next = at;
         if (!takeWord(code, next, name))
@@ -171,27 +198,28 @@ bool endsThere(const QByteArray &code, qsizetype at)
 QByteArray onlyCode(const QByteArray &text)
 {
     QByteArray code = text;
-    for (qsizetype at = 0; at < text.size();) {
-        const bool isComment = text[at] == '-' && at + 1 < text.size() && text[at + 1] == '-';
-        const qsizetype from = isComment ? at + 2 : at;
-        if (const qsizetype opening = longBracket(text, from); opening > 0) {
-            const qsizetype end = endOfLong(text, from, opening);
-            blank(code, at, end);
-            at = end;
-        } else if (isComment) {
-            const qsizetype line = text.indexOf('\n', at);
-            const qsizetype end = line < 0 ? text.size() : line;
-            blank(code, at, end);
-            at = end;
-        } else if (text[at] == '"' || text[at] == '\'') {
-            const qsizetype end = endOfQuoted(text, at);
-            blank(code, at + 1, std::max(at + 1, end - 1));
-            at = end;
-        } else {
-            ++at;
-        }
-    }
+    eachPart(text, [&code](Part part, qsizetype from, qsizetype to) {
+        if (part == Part::Quoted)
+            blank(code, from + 1, std::max(from + 1, to - 1));
+        else
+            blank(code, from, to);
+    });
     return code;
+}
+
+qsizetype laterEscape(const QByteArray &text)
+{
+    qsizetype found = -1;
+    eachPart(text, [&](Part part, qsizetype from, qsizetype to) {
+        for (qsizetype at = from; part == Part::Quoted && found < 0 && at < to; ++at) {
+            if (text[at] != '\\')
+                continue;
+            if (QByteArrayView(text).sliced(at).startsWith("\\u{"))
+                found = at;
+            ++at;  // what is escaped
+        }
+    });
+    return found;
 }
 
 int lineAt(const QByteArray &text, qsizetype position)

@@ -57,4 +57,7 @@ using MotorMix = std::array<double, 4>;
 /// The same text with spaces for comments and the contents of strings, so that what is found in it is code.
 [[nodiscard]] QByteArray onlyCode(const QByteArray &text);
 
+/// Where an escape of later versions of Lua, \u{, stands in a quoted string; -1: nowhere.
+[[nodiscard]] qsizetype laterEscape(const QByteArray &text);
+
 }  // namespace bcflight

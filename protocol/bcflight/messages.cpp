@@ -66,8 +66,8 @@ constexpr FieldSpec kVtxPowerSet[] = {{"power", U8}, {"dbm", U8, "dBm"}};
 constexpr FieldSpec kVtxChannel[] = {{"channel", U8, "", 1, 40}};
 constexpr FieldSpec kVtxChannelSet[] = {{"channel", U8}, {"frequency", U16, "MHz"}};
 
-constexpr const char *kNoEffect = "No effect today.";
-constexpr const char *kNoProof = "The reply is a constant, no proof.";
+constexpr const char *kNoEffect = "no effect today";
+constexpr const char *kNoProof = "the reply is a constant, no proof";
 constexpr const char *kNeverSent = "Not sent by this program: it moves the drone whether or not it is armed.";
 
 // Errata 6.
@@ -133,7 +133,7 @@ constexpr MessageSpec kMessages[] = {
     {Message::SetThrust, "SET_THRUST", kThrust, kThrust, true, Generation::A, Generation::A, kNeverSent},
     {Message::ResetMotors, "RESET_MOTORS", kNone, {}},
     {Message::SetMode, "SET_MODE", kMode, kMode},
-    {Message::SetAltitudeHold, "SET_ALTITUDE_HOLD", kSwitch, kCode, false, Generation::A, Generation::A, "No effect on flight today."},
+    {Message::SetAltitudeHold, "SET_ALTITUDE_HOLD", kSwitch, kCode, false, Generation::A, Generation::A, "no effect on flight today"},
     {Message::SetRollP, "SET_ROLL_PID_P", kGain, kGain},
     {Message::SetRollI, "SET_ROLL_PID_I", kGain, kGain},
     {Message::SetRollD, "SET_ROLL_PID_D", kGain, kGain},

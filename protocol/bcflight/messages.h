@@ -163,7 +163,7 @@ struct MessageSpec
     bool isStreamed = false;  ///< the drone sends it by itself; it cannot be asked for
     Generation since = Generation::A;
     Generation askedSince = Generation::A;  ///< before, the ground cannot send it, but the drone does
-    const char *note = "";  ///< what the operator must know of it, in the tables' catalogue
+    const char *note = "";  ///< what has to be known of it; stands behind its fields in the console
 };
 
 [[nodiscard]] std::span<const MessageSpec> messages();

@@ -170,12 +170,13 @@ std::optional<Status> Status::decode(Bytes payload)
     const auto bits = big<std::uint32_t>(reader);
     if (!reader.ok())
         return {};
-    return Status{(bits & kArmed) != 0, (bits & kCalibrated) != 0, (bits & kCalibrating) != 0};
+    return Status{(bits & kArmed) != 0, (bits & kCalibrated) != 0, (bits & kCalibrating) != 0,
+                  bits & ~(kArmed | kCalibrated | kCalibrating)};
 }
 
 std::uint32_t Status::bits() const
 {
-    return (armed ? kArmed : 0) | (calibrated ? kCalibrated : 0) | (calibrating ? kCalibrating : 0);
+    return (armed ? kArmed : 0) | (calibrated ? kCalibrated : 0) | (calibrating ? kCalibrating : 0) | others;
 }
 
 int Controls::size(Generation generation)

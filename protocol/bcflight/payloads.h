@@ -37,6 +37,7 @@ struct Status
     bool armed = false;
     bool calibrated = false;
     bool calibrating = false;
+    std::uint32_t others = 0;  ///< bits beside those, as they came
 
     [[nodiscard]] static std::optional<Status> decode(Bytes payload);
     [[nodiscard]] std::uint32_t bits() const;

@@ -460,6 +460,12 @@ bool DeviceClient::isStopUnproven() const
     return d->stopIsUnproven;
 }
 
+bool DeviceClient::areOutputsUnknown() const
+{
+    return d->device && d->device->flight() && d->store
+        && Clock::now() - d->store->latestAt(d->roles.outputs) > kOldFlightState;
+}
+
 bool DeviceClient::isSteering() const
 {
     bool steers = false;

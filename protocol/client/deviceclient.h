@@ -103,6 +103,8 @@ public:
     [[nodiscard]] bool isSteering() const;
     /// A stop was not proven in time, and is being repeated.
     [[nodiscard]] bool isStopUnproven() const;
+    /// A machine flies that does not tell its outputs: "disarmed" is all that is known of its motors.
+    [[nodiscard]] bool areOutputsUnknown() const;
 
     /// The board hears nothing until then, also no stop, because of what it was told to do; in the past: it
     /// hears.

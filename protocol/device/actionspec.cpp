@@ -95,6 +95,14 @@ QString replyUnit(const ActionSpec &action, const QString &key)
     return {};
 }
 
+const ActionSpec *reloadingAction(std::span<const ActionSpec> actions)
+{
+    const auto found = std::ranges::find_if(actions, [](const ActionSpec &action) {
+        return action.memory == MemoryEffect::Reloads && action.arguments.empty();
+    });
+    return found == actions.end() ? nullptr : &*found;
+}
+
 ActionSpec chosenAction(const ActionSpec &action, const QVariantMap &arguments)
 {
     ActionSpec chosen = action;

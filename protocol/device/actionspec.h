@@ -103,6 +103,9 @@ QString replyUnit(const ActionSpec &action, const QString &key);
 /// The action as it is with these arguments: risk, memory and answer follow the entry that was chosen.
 [[nodiscard]] ActionSpec chosenAction(const ActionSpec &action, const QVariantMap &arguments);
 
+/// What puts the stored values into use again and asks for nothing else; null: no action does.
+[[nodiscard]] const ActionSpec *reloadingAction(std::span<const ActionSpec> actions);
+
 /// Numbers that a person may mean otherwise than they count: "1" for "profile1", whose number is 0. Error:
 /// InvalidArgument with the names.
 Result<void> checkClear(const ActionSpec &action, const QMap<QString, QString> &texts);

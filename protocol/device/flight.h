@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/base/clock.h"
 #include "protocol/base/result.h"
 
 #include <QByteArray>
 
 class Channel;
 class Configuration;
+
+/// What a machine that flies tells of its state is old after that: it is asked five times a second, and a
+/// lost packet or two are no news.
+inline constexpr auto kOldFlightState = milliseconds(1500);
 
 /// Machines that fly: their motors run as long as what steers them says "armed", and stopping them makes them
 /// fall. They are steered through Steering, whose only switch arms; see ArmingSession for the rules.

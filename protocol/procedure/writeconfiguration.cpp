@@ -433,7 +433,12 @@ Result<void> Writer::put(BlockKey key, const QByteArray &bytes)
         !slept && slept.error().code == ErrorCode::Cancelled)
         return slept;
     const auto back = fetch(key);
-    return back ? Result<void>() : tl::unexpected(back.error());
+    if (!back)
+        return tl::unexpected(back.error());
+    // It is there, and holds what it held: it was silent for another reason than a restart.
+    const bool wasMissed = !written && written.error().code == ErrorCode::Timeout && *back == m_board.at(key)
+        && *back != bytes;
+    return wasMissed ? written : Result<void>();
 }
 
 // Reads a block; a restarting board gets time to come back. On a closed link no time passes, so the number of

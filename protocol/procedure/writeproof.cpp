@@ -182,6 +182,9 @@ bool Writer::rollBack()
     for (const BlockKey key : m_keys) {
         if (!m_written.contains(key))
             continue;
+        // What was not taken is not put back: the board would restart for nothing.
+        if (restarts(key) && holdsAsBefore(key))
+            continue;
         if (restarts(key) && std::exchange(m_bracketOpen, false) && !end())
             return false;
         report(u"roll-back"_s, key);
@@ -191,6 +194,12 @@ bool Writer::rollBack()
     if (m_bracketOpen && !end())
         return false;
     return selectActive().has_value();
+}
+
+bool Writer::holdsAsBefore(BlockKey key)
+{
+    const auto now = fetchSettled(key);
+    return now && *now == m_board.at(key);
 }
 
 // What has become of what was sent, before it is taken back. Returns whether the board answers.

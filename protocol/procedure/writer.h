@@ -59,6 +59,7 @@ private:
     Result<QByteArray> fetch(BlockKey key);
     Result<QByteArray> fetchStored(BlockKey key);
     Result<QByteArray> fetchSettled(BlockKey key);
+    [[nodiscard]] bool holdsAsBefore(BlockKey key);
     [[nodiscard]] QByteArray asStored(BlockKey key, QByteArray bytes, const LiveValues &live) const;
     Result<void> verify();
     void readStarted();

@@ -9,6 +9,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+constexpr int kUsualUdpPort = 2020;  // of the only family that is reached so (BCFlight errata 2.1)
+
 Result<QMap<QString, QString>> parseOptions(const QString &query)
 {
     QMap<QString, QString> options;
@@ -55,11 +57,12 @@ Result<LinkAddress> LinkAddress::parse(const QString &text)
     if (place.startsWith(u"tcp://"_s) || place.startsWith(u"udp://"_s)) {
         address.m_kind = place.startsWith(u't') ? Kind::Tcp : Kind::Udp;
         const QUrl url(place, QUrl::StrictMode);
-        if (!url.isValid() || url.host().isEmpty() || url.port() <= 0 || !url.path().isEmpty())
+        const int port = url.port(address.m_kind == Kind::Udp ? kUsualUdpPort : -1);
+        if (!url.isValid() || url.host().isEmpty() || port <= 0 || !url.path().isEmpty())
             return failure(ErrorCode::InvalidArgument,
                            u"'%1' is not %2://host:port"_s.arg(place, place.left(3)));
         address.m_target = url.host();
-        address.m_port = static_cast<quint16>(url.port());
+        address.m_port = static_cast<quint16>(port);
         return address;
     }
     if (place.startsWith(u"sim:"_s)) {
@@ -76,9 +79,10 @@ Result<LinkAddress> LinkAddress::parse(const QString &text)
         address.m_target = place;
     }
     if (address.m_kind == Kind::None || address.m_target.isEmpty()) {
-        return failure(ErrorCode::InvalidArgument,
-                       u"'%1' is not an address; use serial:/dev/ttyUSB0, tcp://host:port, udp://host:port, "
-                       u"sim:simplebgc or replay:FILE"_s.arg(text));
+        return failure(
+            ErrorCode::InvalidArgument,
+            u"'%1' is not an address; use serial:/dev/ttyUSB0, tcp://host:port, udp://host[:port], "
+            u"sim:simplebgc or replay:FILE"_s.arg(text));
     }
     return address;
 }

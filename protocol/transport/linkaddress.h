@@ -29,8 +29,8 @@ struct LineSettings
 };
 
 /// How a board is reached. The same spelling is used everywhere:
-/// `serial:/dev/ttyUSB0?baud=115200&parity=none`, `tcp://host:port`, `udp://host:port`,
-/// `sim:simplebgc?seed=1`, `replay:FILE?speed=4`.
+/// `serial:/dev/ttyUSB0?baud=115200&parity=none`, `tcp://host:port`, `udp://host:port` (without a port:
+/// 2020), `sim:simplebgc?seed=1`, `replay:FILE?speed=4`.
 class LinkAddress
 {
 public:

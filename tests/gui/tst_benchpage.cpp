@@ -198,6 +198,7 @@ void TestBenchPage::redButtonSaysThatItIsDeaf()
     }));
     auto *red = m_rig->window().findChild<QPushButton *>(u"motors"_s);
     QVERIFY(red);
+    QVERIFY(red->toolTip().contains(u"in flight"_s));
     QTRY_VERIFY2(red->text().contains(u"deaf"_s), qPrintable(red->text()));
     QSignalSpy stopped(&m_rig->client(), &DeviceClient::motorsOffFinished);
     QStringList told;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/composition/composition.h"
 #include "app/mainwindow/linkbar.h"
 #include "app/mainwindow/messagebar.h"
 #include "app/mainwindow/navigation.h"
@@ -120,6 +121,8 @@ private slots:
     void stepIsMeasuredInAStand();
     void closingIsRefusedWhileArmed();
     void closingWaitsUntilItIsSeenToStand();
+    void whoeverLeavesTheLinkDisarms_data();
+    void whoeverLeavesTheLinkDisarms();
     void guardStandsBy();
     void foundAgainItIsDisarmed();
     void lostLinkIsWarnedOf();  // the cable stays pulled
@@ -473,6 +476,9 @@ void TestFlight::everythingEndsIt_data()
     row("the window hangs", ArmingBar::Hung, [](TestFlight &) { QThread::sleep(1); });
     row("session closed", ArmingBar::Operator,
         [](TestFlight &test) { test.page().sessionButton()->click(); });
+    row("live data fail", ArmingBar::Failed, [](TestFlight &test) {
+        emit test.m_rig->client().telemetryFailed({ErrorCode::Timeout, {}, 0});
+    });
     row("another client's disarm", ArmingBar::Disarmed, [](TestFlight &test) {
         // What the drone says counts, whoever it was.
         test.m_rig->client().submit<void>([](Channel &channel, Device &device) -> Result<void> {
@@ -898,6 +904,41 @@ void TestFlight::lostLinkIsWarnedOf()
     QVERIFY(window().findChild<QMessageBox *>()->text().contains(u"armed"_s));
     window().findChild<QMessageBox *>()->reject();
     QVERIFY(window().isVisible());
+    m_rig->client().disconnectFromBoard();
+}
+
+// Over UDP it does not notice that nobody steers it any more.
+void TestFlight::whoeverLeavesTheLinkDisarms_data()
+{
+    QTest::addColumn<bool>("toAnother");
+    QTest::newRow("disconnected") << false;
+    QTest::newRow("another link") << true;
+}
+
+void TestFlight::whoeverLeavesTheLinkDisarms()
+{
+    QFETCH(bool, toAnother);
+    SimProcess drone({u"--udp"_s, u"0"_s}, u"bcflight"_s);
+    QVERIFY(m_rig->open(drone.address()));
+    const auto calibrated = m_rig->workspace().perform(u"calibrate.all"_s, {});
+    QTRY_VERIFY_WITH_TIMEOUT(calibrated.isFinished(), kPatience);
+    QVERIFY(isSoon(m_rig->client().roles().calibrated, 1));
+    trust();
+    QVERIFY(arm());
+    page().throttle()->setValue(20);
+    QVERIFY(isSoon(m_rig->client().roles().outputs, 1));
+    if (toAnother)
+        QVERIFY(m_rig->open(u"sim:simplebgc"_s));
+    else
+        m_rig->client().disconnectFromBoard();
+    QTRY_VERIFY_WITH_TIMEOUT(!page().guardian().isWatching(), kPatience);
+    DeviceClient other(allLinks().transports, allFamilies());
+    other.connectTo(*LinkAddress::parse(drone.address()), u"bcflight"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(other.isConnected(), kPatience);
+    const ChannelRoles roles = other.roles();
+    const auto told = [&other](int channel) { return other.telemetry()->latest(channel); };
+    QTRY_VERIFY_WITH_TIMEOUT(told(roles.armed) == 0 && told(roles.outputs) == 0, kPatience);
+    other.shutDown();
     m_rig->client().disconnectFromBoard();
 }
 

@@ -60,7 +60,7 @@ void TestFlightViews::stateIsOne_data()
     QTest::newRow("after power-up") << 0 << 0 << 0 << 0 << State::NotCalibrated;
     QTest::newRow("calibrating") << 0 << 0 << 1 << 0 << State::Calibrating;
     QTest::newRow("disarmed") << 0 << 1 << 0 << 0 << State::Disarmed;
-    QTest::newRow("disarmed, outputs not told") << 0 << 1 << 0 << -1 << State::Disarmed;
+    QTest::newRow("disarmed, outputs not told") << 0 << 1 << 0 << -1 << State::OutputsUnknown;
     QTest::newRow("armed") << 1 << 1 << 0 << 0 << State::Armed;
     QTest::newRow("armed, nothing else told") << 1 << -1 << -1 << -1 << State::Armed;
     QTest::newRow("disarmed, motors driven") << 0 << 1 << 0 << 1 << State::RunsOn;
@@ -93,7 +93,7 @@ void TestFlightViews::statesAreToldApart()
     QSet<QString> words;
     QList<QImage> pictures;
     for (const State state : {State::Unknown, State::NotCalibrated, State::Calibrating, State::Disarmed,
-                              State::RunsOn, State::Armed}) {
+                              State::OutputsUnknown, State::RunsOn, State::Armed}) {
         ArmedState tile(theme);
         tile.setState(state);
         tile.resize(360, tile.heightForWidth(360));
@@ -106,7 +106,7 @@ void TestFlightViews::statesAreToldApart()
         const bool isRed = pixelsOf(picture, theme.color(ColorRole::Danger)) > picture.width() * 20;
         QCOMPARE(isRed, state == State::Armed || state == State::RunsOn);
     }
-    QCOMPARE(words.size(), 6);
+    QCOMPARE(words.size(), 7);
 }
 
 void TestFlightViews::motorsStandWhereTheyAre()

@@ -360,7 +360,7 @@ void TestBcflightCtl::textIsCheckedWithoutADrone()
 void TestBcflightCtl::recordingsAreListed()
 {
     const SimProcess drone({u"--udp"_s, u"0"_s}, u"bcflight"_s);
-    const Run run = ctl({u"--link"_s, drone.address(), u"--json"_s, u"do"_s, u"recordings"_s});
+    const Run run = ctl({u"--link"_s, drone.address(), u"--json"_s, u"recordings"_s});
     QCOMPARE(run.exitCode, 0);
     const QJsonObject reply = run.json().value(u"reply"_s).toObject();
     QCOMPARE(reply.keys(), (QStringList{u"video_0.h264"_s, u"video_1.h264"_s}));

@@ -149,6 +149,7 @@ void TestTransport::addressesThereAndBack_data()
     QTest::newRow("tcp") << u"tcp://192.168.4.1:23"_s << u"tcp://192.168.4.1:23"_s;
     QTest::newRow("tcp6") << u"tcp://[::1]:2020"_s << u"tcp://[::1]:2020"_s;
     QTest::newRow("udp") << u"udp://drone:2020"_s << u"udp://drone:2020"_s;
+    QTest::newRow("udp, usual port") << u"udp://drone"_s << u"udp://drone:2020"_s;
     QTest::newRow("udp6") << u"udp://[fe80::1]:65535"_s << u"udp://[fe80::1]:65535"_s;
     QTest::newRow("sim") << u"sim:simplebgc?seed=1"_s << u"sim:simplebgc?seed=1"_s;
     QTest::newRow("replay") << u"replay:/tmp/a flight.gimbalrec?speed=4"_s

@@ -761,6 +761,7 @@ void TestArming::configurationDecidesWhetherItIsKnown()
     };
     QVERIFY(text.contains("PID( 90, 25, 80 )"));
     QCOMPARE(with("PID( 90, 25, 80 )", "PID( 95, 20, 81.5 )"), key);
+    QVERIFY(with("PID( 90, 25, 80 )", "PID( -90, 25, 80 )") != key);
     QVERIFY(with("Vector( 1.0, -1.0, -1.0, 1.0 )", "Vector( -1.0, -1.0, -1.0, 1.0 )") != key);
     QVERIFY(
         flown.device.axesKey(Configuration(flown.device.identity(), flown.device.parameters())).isEmpty());

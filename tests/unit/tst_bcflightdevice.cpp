@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/bcflight/framer.h"
 #include "protocol/bcflight/luacheck.h"
 #include "protocol/bcflight/luatext.h"
 #include "protocol/procedure/writeconfiguration.h"
@@ -86,10 +87,15 @@ private slots:
     void gainsAreStoredInTheText();
     void textThatCannotBeEditedIsLeftAlone_data();
     void textThatCannotBeEditedIsLeftAlone();
+    void gainsThatAreNoneAreNotStored_data();
+    void gainsThatAreNoneAreNotStored();
+    void storeThatDidNotTakeIsTold();
     void textIsUploaded();
     void textComesBeforeGains();
     void lostAnswersToAnUploadAreSeenThrough_data();
     void lostAnswersToAnUploadAreSeenThrough();
+    void textThatIsNotTakenIsNotPutBack_data();
+    void textThatIsNotTakenIsNotPutBack();
     void droneThatDoesNotComeBackIsTold();
     void gainsStandInTheTextByTheirScales();
     void textIsRefused_data();
@@ -107,9 +113,14 @@ private slots:
     void textThatSetsNothingIsRefused();
     void mistakesAreTold_data();
     void mistakesAreTold();
+    void textThatIsRightPasses();
     void stopIsProvenByStateAndOutputs();
     void telemetryIsDecoded();
     void noFalsePoints();
+    void streamIsTakenApart_data();
+    void streamIsTakenApart();
+    void spectrumIsTakenApart();
+    void chargeIsForgotten();
     void consoleRefusesWhatSteers();
     void actionsTell();
     void camerasAreTold();
@@ -292,6 +303,9 @@ void TestBcflightDevice::textThatCannotBeEditedIsLeftAlone_data()
     QTest::addColumn<QByteArray>("to");
     QTest::newRow("set twice") << QByteArray("pid_yaw = PID( 180, 40, 0 ),")
                                << QByteArray("pid_yaw = PID( 180, 40, 0 ), pid_yaw = PID( 180, 40, 0 ),");
+    QTest::newRow("set in a table as well")
+        << QByteArray("pid_yaw = PID( 180, 40, 0 ),")
+        << QByteArray("pid_yaw = PID( 180, 40, 0 ), f = function() stabilizer.pid_yaw = PID( 1, 1, 1 ) end,");
     QTest::newRow("computed") << QByteArray("PID( 90, 25, 80 )") << QByteArray("PID( 2 * 45, 25, 80 )");
 }
 
@@ -316,6 +330,57 @@ void TestBcflightDevice::textThatCannotBeEditedIsLeftAlone()
     QCOMPARE(stored.error().place->line,
              lineAt(text, text.lastIndexOf(to.endsWith(',') ? "pid_yaw" : "PID( 2")));
     QCOMPARE(rig.board().configuration(), text);
+}
+
+// Any ground may have set anything (errata 7.2): what names a variable in the text, or steers the other way,
+// is not stored.
+void TestBcflightDevice::gainsThatAreNoneAreNotStored_data()
+{
+    QTest::addColumn<QByteArray>("scale");
+    QTest::addColumn<float>("gain");
+    QTest::newRow("no number") << QByteArray() << std::numeric_limits<float>::quiet_NaN();
+    QTest::newRow("negative") << QByteArray() << -0.002F;
+    QTest::newRow("without a scale") << QByteArray("PID.pscale = 0") << 0.002F;
+}
+
+void TestBcflightDevice::gainsThatAreNoneAreNotStored()
+{
+    QFETCH(QByteArray, scale);
+    QFETCH(float, gain);
+    Rig rig;
+    QVERIFY(rig.identify());
+    QByteArray text = rig.board().configuration();
+    if (!scale.isEmpty()) {
+        text.replace("PID.pscale = 0.032029 * 0.0005", scale);
+        QVERIFY(rig.device.writeBlock(rig.channel, {0, ConfigurationText}, text));
+        QVERIFY(rig.identify());
+    }
+    Request other;
+    other.bytes = encode(Message::SetRollP, bigF32(gain), Generation::G);
+    rig.channel.post(other);
+    QVERIFY(!rig.perform("gains.store"));
+    QCOMPARE(rig.board().configuration(), text);
+    QVERIFY(!rig.board().isLost());
+}
+
+// Errata 7.3: the drone may hold something else than what was uploaded, and start with something else.
+void TestBcflightDevice::storeThatDidNotTakeIsTold()
+{
+    Rig rig;
+    QVERIFY(rig.identify());
+    QVERIFY(rig.device.writeAdjustables(rig.channel, {{0, 0.002}}));
+    const QByteArray before = rig.board().configuration();
+    bool hasUploaded = false;
+    Altering forgetful(rig.channel, [&](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+        auto reply = pass(request);
+        hasUploaded |= request.kind == int(Message::SetConfigFile);
+        if (reply && hasUploaded && request.kind == int(Message::GetConfigFile))
+            reply->payload = encodeChecked(before);
+        return reply;
+    });
+    const auto stored = rig.device.perform(forgetful, u"gains.store"_s, {});
+    QVERIFY(!stored);
+    QCOMPARE(stored.error().code, ErrorCode::NotStored);
 }
 
 void TestBcflightDevice::textIsUploaded()
@@ -410,6 +475,57 @@ void TestBcflightDevice::lostAnswersToAnUploadAreSeenThrough()
     if (!done)
         QCOMPARE(written.error().code, ErrorCode::Timeout);
     QCOMPARE(rig.board().unknownMessages(), 0);
+}
+
+void TestBcflightDevice::textThatIsNotTakenIsNotPutBack_data()
+{
+    QTest::addColumn<QByteArray>("answer");  // none: the upload is lost
+    QTest::addColumn<ErrorCode>("code");
+    QTest::newRow("it did not arrive whole") << QByteArray("\0\0\0\1", 4) << ErrorCode::BoardError;
+    QTest::newRow("it confirms and does nothing") << QByteArray(4, '\0') << ErrorCode::NoEffect;
+    QTest::newRow("every upload is lost") << QByteArray() << ErrorCode::Timeout;
+}
+
+// Errata 7.3: what it did not take is no reason to send the old text, with which it would restart.
+void TestBcflightDevice::textThatIsNotTakenIsNotPutBack()
+{
+    QFETCH(QByteArray, answer);
+    QFETCH(ErrorCode, code);
+    Rig rig;
+    QVERIFY(rig.calibrate());
+    const QByteArray before = rig.board().configuration();
+    const auto base = rig.device.readConfiguration(rig.channel);
+    QVERIFY(base);
+    Configuration edited = *base;
+    edited.setBlock({0, ConfigurationText}, before + "-- edited\n");
+    QList<QByteArray> uploads;
+    Altering deaf(rig.channel, [&](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+        if (request.kind != int(Message::SetConfigFile))
+            return pass(request);
+        uploads.append(request.bytes);
+        if (answer.isEmpty())
+            return failure(ErrorCode::Timeout, request.name);
+        Frame reply;
+        reply.id = int(Message::SetConfigFile);
+        reply.payload = answer;
+        return reply;
+    });
+    QTemporaryDir dir;
+    const BoardHistory history(dir.path());
+    WriteOptions options;
+    options.history = &history;
+    const auto report = writeConfiguration(deaf, rig.device, *base, edited, options);
+    QVERIFY(report);
+    QVERIFY(report->error);
+    QCOMPARE(report->error->code, code);
+    for (const QByteArray &upload : uploads)
+        QVERIFY(upload.contains("-- edited"));
+    QCOMPARE(report->data.size(), std::size_t(1));
+    QCOMPARE(report->data.front().state, WriteState::NotWritten);
+    QCOMPARE(rig.board().configuration(), before);
+    const auto now = rig.device.checkAtRest(rig.channel);
+    QVERIFY(now);
+    QVERIFY(rig.board().status().calibrated);  // it has not restarted
 }
 
 // It compiles, and the drone cannot fly with it.
@@ -599,9 +715,24 @@ void TestBcflightDevice::transmitterThatKeepsItsSettingIsTold()
     Rig rig;
     QVERIFY(rig.identify());
     QVERIFY(rig.perform("vtx.power", {{u"power"_s, u"2"_s}}));
-    const auto power = rig.perform("vtx.power", {{u"power"_s, u"5"_s}});  // its table has three steps
+    int sent = 0;
+    Altering stubborn(rig.channel, [&](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+        if (request.kind != int(Message::VtxSetPower))
+            return pass(request);
+        ++sent;
+        Request other = request;
+        other.bytes.back() = 1;
+        return pass(other);
+    });
+    const auto power = rig.device.perform(stubborn, u"vtx.power"_s, {{u"power"_s, 3}});
     QVERIFY(!power);
     QCOMPARE(power.error().code, ErrorCode::NoEffect);
+    QCOMPARE(sent, 1);
+    // Its table has three steps; what a drone makes of a fourth nobody knows.
+    const auto beyond = rig.device.perform(stubborn, u"vtx.power"_s, {{u"power"_s, 4}});
+    QVERIFY(!beyond);
+    QCOMPARE(beyond.error().code, ErrorCode::OutOfRange);
+    QCOMPARE(sent, 1);
     QVERIFY(rig.perform("vtx.channel", {{u"band"_s, u"raceband"_s}, {u"channel"_s, u"3"_s}}));
 }
 
@@ -669,6 +800,12 @@ void TestBcflightDevice::mistakesAreTold_data()
     QTest::newRow("string") << QByteArray("a = 'x\n") << 1 << u"a string does not end: ''x'"_s;
     QTest::newRow("comment") << QByteArray("a = 1 --[[ x\n") << 2 << u"a comment does not end"_s;
     QTest::newRow("percent") << QByteArray("a = ( %2\n") << 1 << u"'%' cannot stand here"_s;
+    QTest::newRow("binary number") << QByteArray("a = 1\nb = 0b101\n") << 2
+                                   << u"the drone's Lua does not know binary numbers"_s;
+    QTest::newRow("later escape behind two strokes")
+        << QByteArray("a = \"-- \\u{41}\"\n") << 1 << u"the drone's Lua does not know \\u{}"_s;
+    QTest::newRow("later escape behind an escaped one")
+        << QByteArray("a = \"\\\\\\u{41}\"\n") << 1 << u"the drone's Lua does not know \\u{}"_s;
     QTest::newRow("unknown saying") << QByteArray("break\n") << 1 << u"no loop to break"_s;
 }
 
@@ -683,10 +820,19 @@ void TestBcflightDevice::mistakesAreTold()
     QCOMPARE(mistake->line, line);
 }
 
+// What only looks like an escape of a later Lua.
+void TestBcflightDevice::textThatIsRightPasses()
+{
+    for (const QByteArray &text : {QByteArray("a = [[ \\u{41} ]]\n"), QByteArray("a = \"\\\\u{41}\"\n"),
+                                   QByteArray("a = 1 -- \\u{41} 0b1\n"), QByteArray("a = \"0b1\"\n")})
+        QVERIFY2(!findMistake(text), text.constData());
+}
+
 void TestBcflightDevice::stopIsProvenByStateAndOutputs()
 {
     Rig rig;
     QVERIFY(rig.arm());
+    QVERIFY(!reloadingAction(rig.device.actions()));  // its upload puts nothing back into use
     rig.fly({.thrust = 0.5, .arm = true});
     rig.channel.stopMotors(rig.device.stopPlan());
     std::ignore = rig.channel.sleep(1s);
@@ -756,6 +902,11 @@ void TestBcflightDevice::noFalsePoints()
     }
     take(Message::SetThrust, bigF32(0.5F));
     QCOMPARE(store.latest(Thrust), 0.5F);
+    // Nothing has told yet that its attitude unit is on: 0 for ever, or the last of what was.
+    take(Message::RollPitchYaw, bigF32(0) + bigF32(0) + bigF32(0));
+    QVERIFY(std::isnan(store.latest(AttitudeRoll)));
+    QCOMPARE(store.invalid(AttitudeRoll), quint64(1));
+    take(Message::Status, bigU32(Status{.calibrated = true}.bits()));
     take(Message::Gyro, bigF32(1) + bigF32(std::numeric_limits<float>::infinity()) + bigF32(3));
     QCOMPARE(store.latest(GyroX), 1.0F);
     QVERIFY(std::isnan(store.latest(GyroX + 1)));
@@ -764,6 +915,92 @@ void TestBcflightDevice::noFalsePoints()
     take(Message::MotorsSpeed, bigU32(0));
     take(Message::MotorsSpeed, bigU32(100) + QByteArray(400, '\0'));
     QVERIFY(std::isnan(store.latest(Outputs)));
+    take(Message::MotorsSpeed, bigU32(1) + bigF32(1e30F));
+    QVERIFY(std::isnan(store.latest(Outputs)) && std::isnan(store.latest(Motor1)));
+    // Of more than are shown, the one that is driven counts.
+    take(Message::MotorsSpeed, bigU32(10) + QByteArray(36, '\0') + bigF32(0.5F));
+    QCOMPARE(store.latest(Outputs), 1.0F);
+    QCOMPARE(store.latest(Motor1), 0.0F);
+}
+
+void TestBcflightDevice::streamIsTakenApart_data()
+{
+    QTest::addColumn<int>("id");
+    QTest::addColumn<QByteArray>("payload");
+    QTest::addColumn<QList<float>>("values");  // of channels in a row
+    QTest::addColumn<int>("first");
+    const QByteArray three = bigF32(1.5F) + bigF32(-2) + bigF32(40);
+    const QList<float> alike{1.5F, -2, 40};
+    const auto row = [](const char *name, Message id, const QByteArray &payload, const QList<float> &values,
+                        int first) { QTest::newRow(name) << int(id) << payload << values << first; };
+    row("attitude", Message::RollPitchYaw, three, alike, AttitudeRoll);
+    row("rates", Message::Rates, three, alike, RateRoll);
+    row("gyroscope", Message::Gyro, three, alike, GyroX);
+    row("acceleration", Message::Accel, three, alike, AccelX);
+    row("field", Message::Magn, three, alike, FieldX);
+    row("rates of the D term", Message::GyroDterm, three, alike, SlowRateRoll);
+    row("length of the acceleration", Message::CurrentAcceleration, bigF32(9.5F), {9.5F}, AccelLength);
+    row("height", Message::Altitude, bigF32(12.5F), {12.5F}, Height);
+    row("volts", Message::BatteryVoltage, bigF32(15.5F), {15.5F}, BatteryVolts);
+    row("charge comes in ampere-hours", Message::TotalCurrent, bigF32(0.5F), {500}, BatteryCharge);
+    row("current", Message::CurrentDraw, bigF32(3.5F), {3.5F}, BatteryCurrent);
+    row("level comes as a share", Message::BatteryLevel, bigF32(0.5F), {50}, BatteryShare);
+    row("load", Message::CpuLoad, bigU32(31), {31}, CpuLoad);
+    row("temperature", Message::CpuTemperature, bigU32(47), {47}, CpuCelsius);
+    row("quality", Message::ReceiveQuality, bigU32(98), {98}, LinkQuality);
+    row("level of the receiver", Message::ReceiveLevel, bigU32(std::uint32_t(-48)), {-48}, LinkLevel);
+    row("unknown level", Message::ReceiveLevel, bigU32(std::uint32_t(-200)), {std::nanf("")}, LinkLevel);
+    row("loops", Message::StabilizerFrequency, bigU32(4000), {4000}, Loops);
+}
+
+// Errata 8.1, each item of the periodic stream.
+void TestBcflightDevice::streamIsTakenApart()
+{
+    QFETCH(int, id);
+    QFETCH(QByteArray, payload);
+    QFETCH(QList<float>, values);
+    QFETCH(int, first);
+    TelemetryStore store(int(bcflight::channels().size()));
+    Decoder decoder;
+    const QByteArray calibrated = bigU32(Status::kCalibrated);
+    decoder.decode({int(Message::Status), asBytes(calibrated)}, Clock::now(), store);
+    decoder.decode({id, asBytes(payload)}, Clock::now(), store);
+    for (int i = 0; i < values.size(); ++i) {
+        const float told = store.latest(first + i);
+        QVERIFY2(told == values[i] || (std::isnan(told) && std::isnan(values[i])),
+                 qPrintable(QString::number(double(told))));
+    }
+}
+
+// Errata 8.3: four numbers in a bin, little-endian, the fourth unused.
+void TestBcflightDevice::spectrumIsTakenApart()
+{
+    TelemetryStore store(int(bcflight::channels().size()));
+    Decoder decoder;
+    QByteArray payload = QByteArray::fromHex("0020");  // bytes that follow
+    for (const float number : {1.F, 2.F, 3.F, 99.F, 4.F, 1e30F, 6.F, 99.F}) {
+        QByteArray bytes = bigF32(number);
+        std::reverse(bytes.begin(), bytes.end());
+        payload += bytes;
+    }
+    decoder.decode({int(Message::RateSpectrum), asBytes(payload)}, Clock::now(), store);
+    const auto bins = [&store](int axis) { return *store.latestArray(SpectrumRoll + axis).values; };
+    QCOMPARE(bins(0), (std::vector<float>{1, 4}));
+    QCOMPARE(bins(2), (std::vector<float>{3, 6}));
+    QCOMPARE(bins(1).front(), 2.F);
+    QVERIFY(std::isnan(bins(1).back()));
+    QCOMPARE(store.invalid(SpectrumRoll + 1), quint64(1));
+}
+
+void TestBcflightDevice::chargeIsForgotten()
+{
+    Rig rig;
+    QVERIFY(rig.identify());
+    const auto charge
+        = [&rig] { return rig.perform("status").value().value(u"battery.charge"_s).toDouble(); };
+    QVERIFY(charge() > 0);  // of an earlier flight
+    QVERIFY(rig.perform("battery.reset"));
+    QCOMPARE(charge(), 0.0);
 }
 
 void TestBcflightDevice::consoleRefusesWhatSteers()
@@ -785,6 +1022,16 @@ void TestBcflightDevice::consoleRefusesWhatSteers()
     QCOMPARE(rig.device.describeSent(gain->bytes).name, u"SET_ROLL_PID_P"_s);
     QCOMPARE(rig.device.describeSent(QByteArray::fromHex("8582")).name, u"STATUS + TELEMETRY"_s);
     QVERIFY(!rig.device.commandNames().contains(u"CONTROLS"_s));
+    // What was thrown away because a message before it is unknown (errata 2.3).
+    const QByteArray lost = QByteArray::fromHex("0102");
+    const FrameText discarded = rig.device.describeFrame({kDiscarded, asBytes(lost)}, true);
+    QVERIFY(discarded.name == u"?"_s && discarded.fields.contains(u"01 02"_s));
+    // What an answer is worth (errata 6.5).
+    const QByteArray record = rig.device.parseCommand(u"VIDEO_START_RECORD"_s).value().bytes;
+    QVERIFY(rig.device.describeSent(record).fields.contains(u"no proof"_s));
+    const QByteArray code = bigU32(1);
+    QVERIFY(rig.device.describeFrame({int(Message::VideoStartRecord), asBytes(code)}, true)
+                .fields.contains(u"no proof"_s));
 }
 
 void TestBcflightDevice::actionsTell()
@@ -829,6 +1076,24 @@ void TestBcflightDevice::camerasAreTold()
              u"incandescent"_s);
     QCOMPARE(rig.perform("camera.white_balance").value().value(u"white_balance"_s).toString(),
              u"fluorescent"_s);
+    // Its answer got lost, and it is asked again: it switches once (errata 5).
+    int asked = 0;
+    Altering lossy(rig.channel, [&](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+        auto reply = pass(request);
+        if (request.kind == int(Message::WhiteBalance) && ++asked == 1)
+            return pass(request);
+        return reply;
+    });
+    QCOMPARE(
+        rig.device.perform(lossy, u"camera.white_balance"_s, {}).value().value(u"white_balance"_s).toString(),
+        u"daylight"_s);
+    // By whomever it was told something before.
+    QVERIFY(rig.identify());
+    QCOMPARE(rig.perform("camera.white_balance").value().value(u"white_balance"_s).toString(), u"cloudy"_s);
+    Altering mute(rig.channel, [](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+        return request.kind == int(Message::WhiteBalance) ? failure(ErrorCode::Timeout) : pass(request);
+    });
+    QCOMPARE(rig.device.perform(mute, u"camera.white_balance"_s, {}).error().code, ErrorCode::NotProven);
     QCOMPARE(rig.perform("camera.lock").value().value(u"white_balance"_s).toString(), u"R1.50B2.25"_s);
     QCOMPARE(rig.perform("camera.exposure").value().value(u"exposure"_s).toString(), QString());
     QVERIFY(rig.perform("camera.night", {{u"on"_s, u"on"_s}}));

@@ -135,6 +135,12 @@ void TestBcflightSafety::nothingSteersOverTcp()
     Rig rig(Generation::G, false);
     QVERIFY(rig.identify());
     QVERIFY(!rig.device.steering());
+    QVERIFY(rig.device.perform(rig.channel, u"calibrate.all"_s, {}));
+    for (const QString &turns : {u"motor.test"_s, u"escs.calibrate"_s}) {
+        const auto done = rig.device.perform(rig.channel, turns, {{u"motor"_s, 1}});
+        QVERIFY(!done);
+        QCOMPARE(done.error().code, ErrorCode::Unsupported);
+    }
     QVERIFY(QString::fromUtf8(rig.device.refusal()).contains(u"TCP"_s));
     Rig udp;
     QVERIFY(udp.identify());
@@ -495,6 +501,8 @@ void TestBcflightSafety::standingIsProvenByBoth()
     QCOMPARE(proof(10ms, 0, {}, 0), Proof::Nothing);
     QCOMPARE(proof(-10ms, 0, 10ms, 0), Proof::Nothing);
     QCOMPARE(proof(10ms, 0, -10ms, 0), Proof::Nothing);
+    // It told them once, and does not any more: no reason to say for ever that motors may run.
+    QCOMPARE(proof(700ms, 0, -10ms, 1), Proof::Proven);
     QCOMPARE(proof({}, 0, 10ms, 0), Proof::Nothing);
     QCOMPARE(proof(10ms, 1, 10ms, 0), Proof::Refuted);
     QCOMPARE(proof(10ms, 0, 10ms, 1), Proof::Refuted);

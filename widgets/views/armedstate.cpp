@@ -46,7 +46,14 @@ ArmedState::State ArmedState::stateOf(std::optional<bool> armed, std::optional<b
         return State::Calibrating;
     if (!calibrated)
         return State::Unknown;
-    return *calibrated ? State::Disarmed : State::NotCalibrated;
+    if (!*calibrated)
+        return State::NotCalibrated;
+    return outputs ? State::Disarmed : State::OutputsUnknown;
+}
+
+bool ArmedState::isDisarmed(State state)
+{
+    return state == State::Disarmed || state == State::OutputsUnknown || state == State::NotCalibrated;
 }
 
 void ArmedState::setState(State state)
@@ -64,6 +71,7 @@ QString ArmedState::word() const
     case State::NotCalibrated: return tr("Not calibrated");
     case State::Calibrating: return tr("Calibrating");
     case State::Disarmed: return tr("Disarmed");
+    case State::OutputsUnknown: return tr("Outputs unknown");
     case State::RunsOn: return tr("MOTORS DRIVEN");
     case State::Armed: return tr("ARMED");
     }
@@ -77,6 +85,8 @@ QString ArmedState::sentence() const
     case State::NotCalibrated: return tr("It cannot be armed before a calibration.");
     case State::Calibrating: return tr("It lies still until this is over.");
     case State::Disarmed: return tr("Calibrated.");
+    case State::OutputsUnknown:
+        return tr("Disarmed. It does not tell what its motors do: see that they stand.");
     case State::RunsOn: return tr("It is not armed, and drives motors all the same: keep clear.");
     case State::Armed: return tr("Propellers may turn at any moment.");
     }
@@ -148,6 +158,11 @@ void ArmedState::drawSign(QPainter &painter, const QRectF &room, const QColor &c
         painter.drawEllipse(ring);
         painter.drawPolyline(QPolygonF({at(-1.9, 0.1), at(-0.5, 1.6), at(2, -1.5)}));
         break;
+    case State::OutputsUnknown:
+        painter.drawEllipse(ring);
+        painter.drawLine(at(0, -2.2), at(0, 0.4));
+        painter.drawPoint(at(0, 2.2));
+        break;
     case State::NotCalibrated:
         painter.drawEllipse(ring);
         painter.drawLine(at(-1.9, 0), at(1.9, 0));
@@ -167,11 +182,11 @@ void ArmedState::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const ColorRole role = isAlarm()      ? ColorRole::Danger
-        : m_state == State::Calibrating   ? ColorRole::Warning
-        : m_state == State::Disarmed      ? ColorRole::Ok
-        : m_state == State::NotCalibrated ? ColorRole::Changed
-                                          : ColorRole::Muted;
+    const ColorRole role = isAlarm()                                        ? ColorRole::Danger
+        : m_state == State::Calibrating || m_state == State::OutputsUnknown ? ColorRole::Warning
+        : m_state == State::Disarmed                                        ? ColorRole::Ok
+        : m_state == State::NotCalibrated                                   ? ColorRole::Changed
+                                                                            : ColorRole::Muted;
     const QColor own = m_theme.color(role);
     const QRectF tile = QRectF(rect()).adjusted(kTileBorder / 2.0, kTileBorder / 2.0, -kTileBorder / 2.0,
                                                 -kTileBorder / 2.0);

@@ -19,6 +19,7 @@ public:
         NotCalibrated,  ///< cannot be armed
         Calibrating,
         Disarmed,  ///< calibrated: can be armed
+        OutputsUnknown,  ///< calibrated and disarmed, and nothing tells whether motors stand
         RunsOn,  ///< not armed, and motors are driven all the same, or are about to be by a test
         Armed,
     };
@@ -30,6 +31,8 @@ public:
                                        std::optional<bool> calibrating, std::optional<bool> outputs);
     void setState(State state);
     [[nodiscard]] State state() const { return m_state; }
+    /// It says that it is not armed, as far as it tells anything.
+    [[nodiscard]] static bool isDisarmed(State state);
     /// The word of the tile, and what it means.
     [[nodiscard]] QString word() const;
     [[nodiscard]] QString sentence() const;

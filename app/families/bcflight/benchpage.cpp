@@ -203,7 +203,8 @@ QString BenchPage::obstacle() const
     case ArmedState::State::Calibrating: return tr("It calibrates.");
     case ArmedState::State::NotCalibrated:
         return tr("Calibrate it first: without that, a motor test hangs it until it is switched off.");
-    case ArmedState::State::Disarmed: break;
+    case ArmedState::State::Disarmed:
+    case ArmedState::State::OutputsUnknown: break;
     }
     return {};
 }
@@ -243,7 +244,7 @@ void BenchPage::refresh()
     // Neither needs a calibration.
     const ArmedState::State state = m_state->state();
     const bool isAtRest = workspace().client().isConnected() && workspace().client().identity().writable
-        && (state == ArmedState::State::Disarmed || state == ArmedState::State::NotCalibrated);
+        && ArmedState::isDisarmed(state);
     m_firmware->setObstacle(m_isRunning ? busy : isAtRest ? QString() : obstacle());
     m_beep->setEnabled(isAtRest && !m_isRunning);
     m_silence->setEnabled(isAtRest && !m_isRunning);

@@ -188,7 +188,7 @@ private:
     double m_streamRate = 100;
     quint64 m_streamTick = 0;
     double m_nextStream = 0;
-    double m_chargeZero = 0;
+    double m_storedCharge = 412;  // mAh, of whatever flight; nothing measures it today (errata 4.2)
     int m_vtxChannel = 37;
     int m_vtxPower = 0;
     int m_whiteBalance = 0;

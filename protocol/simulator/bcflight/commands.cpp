@@ -183,7 +183,7 @@ bool SimulatedBoard::handle(const DroneReader::Item &item, DroneReader &reader)
         break;
     case Message::Arm:
     case Message::Disarm: break;  // no effect
-    case Message::ResetBattery: m_chargeZero = m_quadcopter.charge(); break;
+    case Message::ResetBattery: m_storedCharge = 0; break;
     case Message::CalibrateEscs: {
         if (m_armed)
             break;

@@ -41,6 +41,7 @@ Telemetry SimulatedBoard::telemetry() const
 {
     Telemetry now;
     now.voltage = m_quadcopter.voltage();
+    now.charge = int(m_storedCharge);
     now.level = int(batteryLevel() * 100);
     now.cpuLoad = 31;
     now.cpuTemperature = m_options.faults.heat > 0 ? int(m_options.faults.heat) : 47;
@@ -72,7 +73,7 @@ void SimulatedBoard::stream()
     if (tick % 5 == 0) {
         const Telemetry now = telemetry();
         add(Message::BatteryVoltage, number(now.voltage));
-        add(Message::TotalCurrent, number(0));
+        add(Message::TotalCurrent, number(m_storedCharge / 1000));
         add(Message::CurrentDraw, number(0));
         add(Message::BatteryLevel, number(batteryLevel()));
         add(Message::CpuLoad, count(now.cpuLoad));
