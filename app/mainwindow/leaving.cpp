@@ -26,7 +26,7 @@ Leaving::Leaving(Workspace &workspace, QWidget &window)
         if (m_wait != Wait::Steering)
             return;
         m_steeringIsSettled = true;
-        m_wait = Wait::Nothing;
+        stopWaiting();
         if (confirmed)
             later();
         else
@@ -47,7 +47,7 @@ Leaving::Leaving(Workspace &workspace, QWidget &window)
             ended(Wait::MotorsOff);
             return;
         }
-        m_wait = Wait::Nothing;
+        stopWaiting();
         askAboutMotors();
     });
 }
@@ -56,7 +56,7 @@ bool Leaving::mayGo(Way way, const std::function<void()> &go)
 {
     m_way = way;
     m_go = go;
-    m_wait = Wait::Nothing;
+    stopWaiting();
     m_editsAreSettled = false;
     m_valuesAreSettled = false;
     m_motorsAreSettled = false;
@@ -180,14 +180,21 @@ void Leaving::next()
 void Leaving::waitFor(Wait what, const QString &told)
 {
     m_wait = what;
-    m_workspace.notifications().notify(told, Notice::Attention);
+    m_workspace.notifications().notify(told, Notice::Attention, Concern::Leaving);
+}
+
+// Whoever is asked next may stay: nothing is announced any more.
+void Leaving::stopWaiting()
+{
+    m_wait = Wait::Nothing;
+    m_workspace.notifications().settle(Concern::Leaving);
 }
 
 void Leaving::ended(Wait what)
 {
     if (m_wait != what)
         return;
-    m_wait = Wait::Nothing;
+    stopWaiting();
     onceRead();
 }
 

@@ -35,6 +35,7 @@ private:
     void next();
     void later();
     void waitFor(Wait what, const QString &told);
+    void stopWaiting();
     void ended(Wait what);
     void onceRead();
     /// True, and told or asked, while something that flies is armed.

@@ -50,6 +50,7 @@ enum class Concern {
     Journal,  ///< of edits
     Settings,  ///< of this program
     Recorder,  ///< that records the link
+    Leaving,  ///< what is waited for before the link or the program ends
 };
 
 /// A message as it was told.

@@ -47,6 +47,7 @@ private slots:
     void disconnectingWaitsForAWrite();
     void procedureIsWaitedForOrCancelled_data();
     void procedureIsWaitedForOrCancelled();
+    void stayingWithdrawsTheAnnouncement();
     void motorsAreProvenOffBeforeQuitting_data();
     void motorsAreProvenOffBeforeQuitting();
     void unprovenStopIsNoQuit_data();
@@ -184,6 +185,24 @@ void TestLeaving::procedureIsWaitedForOrCancelled()
     QTRY_VERIFY(!window().isVisible());
     QVERIFY(calibration.isFinished());
     QCOMPARE(calibration.result().has_value(), ends);
+}
+
+// Whoever stays after all is not told any longer that the link will end.
+void TestLeaving::stayingWithdrawsTheAnnouncement()
+{
+    QVERIFY(m_rig->open(kDemo));
+    QVERIFY(setLive(u"pid.yaw.p"_s));
+    const auto calibration = workspace().perform(u"calibrate.gyro"_s, {});
+    disconnectByButton();
+    QVERIFY(question());
+    answer(u"Wait, then disconnect"_s);
+    const auto *bar = window().findChild<MessageBar *>();
+    QVERIFY2(bar->text().contains(u"The link ends when"_s), qPrintable(bar->text()));
+    QTRY_VERIFY(question());
+    QVERIFY(calibration.isFinished());
+    answer(u"Stay"_s);
+    QVERIFY2(!bar->text().contains(u"The link ends when"_s), qPrintable(bar->text()));
+    QVERIFY(m_rig->client().isConnected());
 }
 
 void TestLeaving::motorsAreProvenOffBeforeQuitting_data()
