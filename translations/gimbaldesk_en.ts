@@ -20,6 +20,20 @@
             <numerusform>%n values</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>By its voltage it has %n cell(s) of %1 V, which are not low: the alarm is meant for a battery with more cells. If it has more, it is nearly empty.</source>
+        <translation>
+            <numerusform>By its voltage it has %n cell of %1 V, which is not low: the alarm is meant for a battery with more cells. If it has more, it is nearly empty.</numerusform>
+            <numerusform>By its voltage it has %n cells of %1 V, which are not low: the alarm is meant for a battery with more cells. If it has more, it is nearly empty.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Count its cells: if it has %n, correct the battery&apos;s alarm in the board; if it has more, change it.</source>
+        <translation>
+            <numerusform>Count its cells: if it has %n, correct the battery&apos;s alarm in the board; if it has more, change it.</numerusform>
+            <numerusform>Count its cells: if it has %n, correct the battery&apos;s alarm in the board; if it has more, change it.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>BackupsPage</name>

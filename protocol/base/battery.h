@@ -14,6 +14,9 @@ inline constexpr double kHighestCellVolts = 4.25;
 /// Volts of a cell below which a battery is low, where nobody says otherwise.
 inline constexpr double kLowCellVolts = 3.4;
 
+/// The highest alarm that is meant for one cell: a cell that is two thirds full would set off a higher one.
+inline constexpr double kHighestCellAlarm = 3.9;
+
 /// Voltages below which a board does something, those that are set.
 struct BatteryThresholds
 {
@@ -41,4 +44,15 @@ struct BatteryThresholds
     if (board.alarm && (!board.perCell || cells > 0))
         low = std::max(low.value_or(0.0), board.perCell ? *board.alarm * cells : *board.alarm);
     return low;
+}
+
+/// The board takes the battery for low by an alarm that suits one with more cells: either the alarm is wrong,
+/// or the battery has more cells than it seems to have. @param isReported the board says that it is low
+[[nodiscard]] inline bool isAlarmOfOtherBattery(double volts, int cells, double cellVolts,
+                                                const BatteryThresholds &board, bool isReported)
+{
+    if (cells == 0 || std::isnan(volts) || volts < cells * cellVolts)
+        return false;
+    const bool isTooHigh = board.alarm && !board.perCell && *board.alarm > cells * kHighestCellAlarm;
+    return isTooHigh || (isReported && volts >= cells * kHighestCellAlarm);
 }

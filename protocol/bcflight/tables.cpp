@@ -57,6 +57,8 @@ constexpr BlockSpec kBlocks[] = {
      .effect = WriteEffect::Restarts, .restartTime = 30s, .check = findMistake},
 };
 
+constexpr Choice kNoYes[] = {{0, "no"}, {1, "yes"}};
+constexpr Choice kStateBits[] = {{0, "armed"}, {1, "calibrated"}, {2, "calibrating"}, {7, "night mode"}};
 constexpr ChannelSpec kChannels[] = {
     {"attitude.roll", "Roll", "Attitude", "°", 1, Axis::Roll, -180, 180, "attitude.roll"},
     {"attitude.pitch", "Pitch", "Attitude", "°", 1, Axis::Pitch, -90, 90, "attitude.pitch"},
@@ -97,11 +99,11 @@ constexpr ChannelSpec kChannels[] = {
     {"rx.level", "Receive level", "Link", "dBm", 0, Axis::None, -120, 0, "rx.level"},
     {"link.round_trip", "Round trip", "Link", "ms", 0, Axis::None, 0, 200},
     {"loops", "Control loop", "State", "/s", 0, Axis::None, 0, 10000, "loops"},
-    {"state", "State", "State", "", 0, Axis::None, 0, 255, "state"},
-    {"armed", "Armed", "State", "", 0, Axis::None, 0, 1, "armed"},
-    {"calibrated", "Calibrated", "State", "", 0, Axis::None, 0, 1, "calibrated"},
-    {"calibrating", "Calibrating", "State", "", 0, Axis::None, 0, 1, "calibrating"},
-    {"outputs", "Motors driven", "State", "", 0, Axis::None, 0, 1, "outputs"},
+    {"state", "State", "State", "", 0, Axis::None, 0, 255, "state", "", 1, kStateBits, true},
+    {"armed", "Armed", "State", "", 0, Axis::None, 0, 1, "armed", "", 1, kNoYes},
+    {"calibrated", "Calibrated", "State", "", 0, Axis::None, 0, 1, "calibrated", "", 1, kNoYes},
+    {"calibrating", "Calibrating", "State", "", 0, Axis::None, 0, 1, "calibrating", "", 1, kNoYes},
+    {"outputs", "Motors driven", "State", "", 0, Axis::None, 0, 1, "outputs", "", 1, kNoYes},
     {.key = "spectrum.roll", .label = "Notch spectrum roll", .group = "Spectrum", .unit = "°/s", .decimals = 3, .axis = Axis::Roll, .max = 10, .role = "spectrum.roll", .elements = kSpectrumBins},
     {.key = "spectrum.pitch", .label = "Notch spectrum pitch", .group = "Spectrum", .unit = "°/s", .decimals = 3, .axis = Axis::Pitch, .max = 10, .role = "spectrum.pitch", .elements = kSpectrumBins},
     {.key = "spectrum.yaw", .label = "Notch spectrum yaw", .group = "Spectrum", .unit = "°/s", .decimals = 3, .axis = Axis::Yaw, .max = 10, .role = "spectrum.yaw", .elements = kSpectrumBins},

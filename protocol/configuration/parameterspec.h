@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/base/axis.h"
+#include "protocol/base/choice.h"
 #include "protocol/configuration/blockspec.h"
 
 #include <QByteArray>
@@ -80,15 +81,6 @@ inline quint32 flagBits(double raw)
 {
     return std::isfinite(raw) ? static_cast<quint32>(static_cast<qint64>(raw)) : 0;
 }
-
-/// One entry of a choice list, or one bit of a flag word (value = bit number).
-struct Choice
-{
-    int value = 0;
-    const char *name = "";
-    int since = 0;  ///< firmware that introduced it; 0 = always there
-    int until = 99999;
-};
 
 /// Condition under which a parameter has no effect: another one has this value. "%a" and "%n" in the key
 /// stand for the parameter's own axis and index.

@@ -146,6 +146,34 @@ inline constexpr Choice kCalibModes[] = {{0, "none"}, {1, "flight controller"}, 
 inline constexpr Choice kStateFlags[] = {{0, "debug"}, {1, "frame inverted"}, {2, "start step 1 done"}, {3, "start step 2 done"},
     {4, "started"}, {5, "power manager"}, {8, "shake generator"}, {9, "servo mode"}, {10, "follows roll"}, {11, "follows pitch"},
     {12, "follows yaw"}, {13, "tripod mode"}, {14, "retracted"}};
+/// Bits of SYSTEM_ERROR (document REALTIME_DATA_3).
+inline constexpr Choice kFaultNames[] = {
+    {0, "No IMU"}, {1, "Accelerometer not calibrated"}, {2, "Motor power is not set"}, {3, "Poles are not calibrated"},
+    {4, "Protection is active"}, {5, "Serial error"}, {6, "Battery below the alarm"}, {7, "Battery below its cut-off"},
+    {8, "Firmware and tool differ"}, {9, "Motor lost steps"}, {10, "System error"}, {11, "Emergency stop"}};
+/// What SYSTEM_SUB_ERROR tells of an emergency stop (errata 4.5).
+inline constexpr Choice kStopCauses[] = {
+    {0, "none"}, {1, "I2C errors"}, {2, "driver too hot"}, {3, "driver fault"}, {4, "encoder and IMU disagree"},
+    {5, "calibration failed"}, {6, "internal fault"}, {7, "encoder scale"}, {8, "too hot"}, {9, "motor poles or inversion"},
+    {10, "memory"}, {11, "IMU lost"}, {12, "CAN hardware"}, {13, "motor too hot"}, {14, "motor blocked"}, {15, "bad IMU"},
+    {16, "endless restarts"}, {17, "wrong start position"}, {18, "overload too long"}, {19, "CAN driver: over-current"},
+    {20, "CAN driver: under-voltage"}, {21, "CAN driver: emergency pin"}, {22, "CAN driver: field-oriented control"},
+    {23, "CAN driver: controller too hot"}, {24, "CAN driver: motor too hot"}, {25, "CAN driver: lasting over-current"},
+    {26, "CAN driver: several faults"}, {27, "CAN bus off, outside"}, {28, "CAN bus off, inside"}, {29, "encoder missing"},
+    {30, "CAN driver does not answer"}, {31, "CAN driver: parameters"}, {32, "over-current"}, {33, "unsafe voltage"},
+    {34, "battery setting"}, {35, "stored parameters"}, {36, "encoder type"}, {37, "type of the external IMU"},
+    {38, "external IMU lost"}, {39, "parameters of the external IMU"}, {40, "start of the motor driver"},
+    {41, "stored variables"}, {42, "watchdog"}, {43, "analogue inputs"}, {44, "calibration with motors off"}, {45, "time-out"},
+    {46, "calibration of the driver"}, {47, "magnetometer lost"}, {48, "over-speed"}, {49, "self-calibration of the encoder"},
+    {50, "version on the CAN bus"}, {51, "serial number on the CAN bus"}, {52, "serial numbers on the CAN bus differ"},
+    {53, "stage of the driver's start"}, {54, "data of the encoder too late"}, {55, "link on the CAN bus lost"},
+    {56, "clock crystal"}, {57, "frame IMU lost"}, {58, "parameters were changed"}, {59, "not in its normal position"},
+    {60, "driver licence"}};
+inline constexpr Choice kImuNames[] = {{1, "main IMU"}, {2, "frame IMU"}};
+inline constexpr Choice kOffOn[] = {{0, "off"}, {1, "on"}};
+inline constexpr Choice kActiveProfiles[] = {{0, "profile 1"}, {1, "profile 2"}, {2, "profile 3"}, {3, "profile 4"}, {4, "profile 5"}};
+/// Of a motor's driver in SYSTEM_POWER_STATE (errata 3.9).
+inline constexpr Choice kDriverFlags[] = {{0, "limit violated"}, {1, "over-current"}, {2, "driver on"}};
 /// What is wrong with a file of the board (errata 3.18).
 inline constexpr Choice kFileCodes[] = {{0, "no error"}, {1, "EEPROM fault"}, {2, "file not found"}, {3, "FAT damaged"}, {4, "no free space"},
     {5, "FAT full"}, {6, "wrong file size"}, {7, "CRC"}, {8, "limit reached"}, {9, "file corrupted"}, {10, "wrong parameters"}};

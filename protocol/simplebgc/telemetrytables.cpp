@@ -4,6 +4,7 @@
 
 #include "protocol/base/angles.h"
 #include "protocol/base/bytes.h"
+#include "protocol/simplebgc/choices.h"
 #include "protocol/simplebgc/commands.h"
 #include "protocol/simplebgc/units.h"
 
@@ -64,11 +65,11 @@ constexpr ChannelSpec kChannels[] = {
     {"cycle_time", "Cycle time", "Board", "µs", 0, Axis::None, 0, 2000, "cycle_time"},
     {"errors.i2c", "I2C errors", "Board", "", 0, Axis::None, 0, 100, "bus_errors"},
     {"errors.serial", "Bad frames received", "Board", "", 0, Axis::None, 0, 100},
-    {"system.error", "System error bits", "Board", "", 0, Axis::None, 0, 4095, "faults"},
-    {"system.sub_error", "Emergency stop cause", "Board", "", 0, Axis::None, 0, 60, "fault_detail"},
-    {"motors.on", "Motors running", "Board", "", 0, Axis::None, 0, 1, "outputs"},
-    {"imu.selected", "Selected IMU", "Board", "", 0, Axis::None, 1, 2},
-    {"profile.active", "Active profile", "Board", "", 0, Axis::None, 0, 4, "profile"},
+    {"system.error", "System error bits", "Board", "", 0, Axis::None, 0, 4095, "faults", "", 1, kFaultNames, true},
+    {"system.sub_error", "Emergency stop cause", "Board", "", 0, Axis::None, 0, 60, "fault_detail", "", 1, kStopCauses},
+    {"motors.on", "Motors running", "Board", "", 0, Axis::None, 0, 1, "outputs", "", 1, kOffOn},
+    {"imu.selected", "Selected IMU", "Board", "", 0, Axis::None, 1, 2, "", "", 1, kImuNames},
+    {"profile.active", "Active profile", "Board", "", 0, Axis::None, 0, 4, "profile", "", 1, kActiveProfiles},
     {"z1.x", "Gravity vector, x", "Attitude vectors", "", 4, Axis::None, -1, 1},
     {"z1.y", "Gravity vector, y", "Attitude vectors", "", 4, Axis::None, -1, 1},
     {"z1.z", "Gravity vector, z", "Attitude vectors", "", 4, Axis::None, -1, 1},
@@ -151,15 +152,15 @@ constexpr ChannelSpec kChannels[] = {
     {"motor.output.roll", "Motor output, roll", "Power", "%", 1, Axis::Roll, -100, 100},
     {"motor.current.roll", "Motor current, roll", "Power", "A", 3, Axis::Roll, 0, 10},
     {"motor.temperature.roll", "Motor temperature, roll", "Power", "°C", 0, Axis::Roll, -20, 120, "motor.roll.temperature"},
-    {"motor.flags.roll", "Motor driver flags, roll", "Power", "", 0, Axis::Roll, 0, 7},
+    {"motor.flags.roll", "Motor driver flags, roll", "Power", "", 0, Axis::Roll, 0, 7, "", "", 1, kDriverFlags, true},
     {"motor.output.pitch", "Motor output, pitch", "Power", "%", 1, Axis::Pitch, -100, 100},
     {"motor.current.pitch", "Motor current, pitch", "Power", "A", 3, Axis::Pitch, 0, 10},
     {"motor.temperature.pitch", "Motor temperature, pitch", "Power", "°C", 0, Axis::Pitch, -20, 120, "motor.pitch.temperature"},
-    {"motor.flags.pitch", "Motor driver flags, pitch", "Power", "", 0, Axis::Pitch, 0, 7},
+    {"motor.flags.pitch", "Motor driver flags, pitch", "Power", "", 0, Axis::Pitch, 0, 7, "", "", 1, kDriverFlags, true},
     {"motor.output.yaw", "Motor output, yaw", "Power", "%", 1, Axis::Yaw, -100, 100},
     {"motor.current.yaw", "Motor current, yaw", "Power", "A", 3, Axis::Yaw, 0, 10},
     {"motor.temperature.yaw", "Motor temperature, yaw", "Power", "°C", 0, Axis::Yaw, -20, 120, "motor.yaw.temperature"},
-    {"motor.flags.yaw", "Motor driver flags, yaw", "Power", "", 0, Axis::Yaw, 0, 7},
+    {"motor.flags.yaw", "Motor driver flags, yaw", "Power", "", 0, Axis::Yaw, 0, 7, "", "", 1, kDriverFlags, true},
     {"power.state", "State of the power manager", "Power", "", 0, Axis::None, -2, 4},
     {"power.voltage", "Supply voltage", "Power", "V", 2, Axis::None, 0, 30},
     {"power.current", "Supply current", "Power", "A", 3, Axis::None, 0, 10},
@@ -171,8 +172,8 @@ constexpr ChannelSpec kChannels[] = {
     {"comm.serial", "Serial error counter", "Board", "", 0, Axis::None, 0, 100},
     {"comm.can", "CAN error counter", "Board", "", 0, Axis::None, 0, 100},
     {"comm.can_flags", "CAN error flags", "Board", "", 0, Axis::None, 0, 255},
-    {"system.state", "System state flags", "Board", "", 0, Axis::None, 0, 32767},
-    {"system.calibration", "Calibration in progress", "Board", "", 0, Axis::None, 0, 60},
+    {"system.state", "System state flags", "Board", "", 0, Axis::None, 0, 32767, "", "", 1, kStateFlags, true},
+    {"system.calibration", "Calibration in progress", "Board", "", 0, Axis::None, 0, 60, "", "", 1, kCalibModes},
     {"imu.quaternion.w", "Camera attitude, quaternion w", "Attitude quaternions", "", 4, Axis::None, -1, 1},
     {"imu.quaternion.x", "Camera attitude, quaternion x", "Attitude quaternions", "", 4, Axis::None, -1, 1},
     {"imu.quaternion.y", "Camera attitude, quaternion y", "Attitude quaternions", "", 4, Axis::None, -1, 1},

@@ -25,6 +25,18 @@ inline constexpr Choice kInputs78[] = {{0, "off"}, {1, "Rc-0"}, {2, "Rc-1"}, {3,
     {36, "Aux-2 latch"}, {37, "Aux-01 latch"}, {38, "Aux-012 latch"}};
 inline constexpr Choice kVoltages[] = {{0, "off"}, {1, "2.9 V/cell"}, {2, "3.0 V/cell"}, {3, "3.1 V/cell"}, {4, "3.2 V/cell"},
     {5, "3.3 V/cell"}, {6, "3.4 V/cell"}, {7, "3.5 V/cell"}};
+inline constexpr Choice kOffOn[] = {{0, "off"}, {1, "on"}};
+/// Errata 3.7.
+inline constexpr Choice kStates[] = {{0, "start motors"}, {1, "settle"}, {2, "calibrate"}, {3, "level"}, {4, "find motor directions"},
+    {5, "relevel"}, {6, "normal"}, {7, "standby", 0, 95}, {7, "fast level", 208}, {99, "standby"}, {100, "service mode"}};
+/// Bits of the status words (errata 3.8).
+inline constexpr Choice kStatusBits[] = {{0, "link in use"}, {1, "link OK"}, {2, "leveling failed"}, {3, "battery connected"},
+    {4, "battery below the alarm"}, {5, "IMU OK"}, {6, "second IMU OK"}, {7, "magnetometer OK"}, {8, "STorM32-Link present"},
+    {9, "NT bus in use"}, {10, "second IMU on the NT bus"}, {11, "second IMU on the board"}, {12, "second IMU present"},
+    {13, "magnetometer present"}, {14, "IMU at the high address"}, {15, "IMU present"}};
+inline constexpr Choice kStatus2Bits[] = {{3, "pitch motor runs"}, {4, "roll motor runs"}, {5, "yaw motor runs"},
+    {8, "re-centers pitch"}, {9, "re-centers roll"}, {10, "re-centers yaw"}, {11, "IR camera"}, {12, "standby"},
+    {13, "follows pitch"}, {14, "follows roll"}, {15, "follows yaw"}};
 inline constexpr Choice kDirections[] = {{0, "normal"}, {1, "reversed"}, {2, "auto"}};
 inline constexpr Choice kImu3[] = {{0, "none"}, {1, "none, Imu2=on-board"}, {2, "Imu3 = NT Imu2"}, {3, "Imu3 = on-board Imu2"}};
 inline constexpr Choice kMotorMapping[] = {{0, "M0=pitch , M1=roll"}, {1, "M0=roll , M1=pitch"}, {2, "roll yaw pitch"},

@@ -45,12 +45,12 @@ constexpr ChannelSpec kChannels[] = {
     {"link.yaw", "STorM32-Link, yaw", "Angles", "°", 2, Axis::Yaw, -180, 180},
     {"acc.confidence", "Trust in the accelerometer", "Inertial sensors", "", 3, Axis::None, 0, 1.5},
     {"battery", "Battery", "Power", "V", 2, Axis::None, 0, 30, "battery"},
-    {"state", "State", "Board", "", 0, Axis::None, 0, 100, "state fault_detail"},
-    {"status", "Status bits", "Board", "", 0, Axis::None, 0, 65535, "faults"},
-    {"status2", "Status bits 2", "Board", "", 0, Axis::None, 0, 65535},
+    {"state", "State", "Board", "", 0, Axis::None, 0, 100, "state fault_detail", "", 1, kStates},
+    {"status", "Status bits", "Board", "", 0, Axis::None, 0, 65535, "faults", "", 1, kStatusBits, true},
+    {"status2", "Status bits 2", "Board", "", 0, Axis::None, 0, 65535, "", "", 1, kStatus2Bits, true},
     {"errors.bus", "Sensor bus errors", "Board", "", 0, Axis::None, 0, 100, "bus_errors"},
     {"cycle_time", "Cycle time", "Board", "µs", 0, Axis::None, 0, 2000, "cycle_time"},
-    {"motors.on", "Motors running", "Board", "", 0, Axis::None, 0, 1, "outputs"},
+    {"motors.on", "Motors running", "Board", "", 0, Axis::None, 0, 1, "outputs", "", 1, kOffOn},
     {"functions", "Function inputs", "Remote control", "", 0, Axis::None, 0, 65535},
 };
 // clang-format on
@@ -143,21 +143,10 @@ bool isStandby(int state, int firmware)
 
 QString stateName(int state, int firmware)
 {
-    static constexpr std::array<const char *, 7> kNames{QT_TRANSLATE_NOOP("Tables", "start motors"),
-                                                        QT_TRANSLATE_NOOP("Tables", "settle"),
-                                                        QT_TRANSLATE_NOOP("Tables", "calibrate"),
-                                                        QT_TRANSLATE_NOOP("Tables", "level"),
-                                                        QT_TRANSLATE_NOOP("Tables", "find motor directions"),
-                                                        QT_TRANSLATE_NOOP("Tables", "relevel"),
-                                                        QT_TRANSLATE_NOOP("Tables", "normal")};
-    if (state >= 0 && state < int(kNames.size()))
-        return QString::fromLatin1(kNames[std::size_t(state)]);
-    if (isStandby(state, firmware))
-        return QString::fromLatin1(QT_TRANSLATE_NOOP("Tables", "standby"));
-    if (state == 7 && firmware >= 208)
-        return QString::fromLatin1(QT_TRANSLATE_NOOP("Tables", "fast level"));
-    return state == 100 ? QString::fromLatin1(QT_TRANSLATE_NOOP("Tables", "service mode"))
-                        : u"unknown (%1)"_s.arg(state);
+    const auto known = std::find_if(std::begin(kStates), std::end(kStates), [=](const Choice &choice) {
+        return choice.value == state && firmware >= choice.since && firmware <= choice.until;
+    });
+    return known == std::end(kStates) ? u"unknown (%1)"_s.arg(state) : QString::fromLatin1(known->name);
 }
 
 std::vector<BoardFact> factsOf(unsigned status, unsigned status2, unsigned functions)
@@ -239,8 +228,9 @@ std::vector<BoardFault> faultsOf(unsigned bits, unsigned)
         add({"no-battery", "No battery", "The motors have no supply; settings can still be changed.",
              "Connect the battery.", false});
     else if (bits & 0x0010)
-        add({"low-battery", "Battery is low", "The alarm threshold is reached.", "Change the battery soon.",
-             false});
+        add({"low-battery", "Battery below the alarm",
+             "Its voltage is below the alarm that is set in the board.",
+             "Charge or change the battery; if it is full, correct the alarm.", false});
     if (bits & 0x0004)
         add({"level-failed", "Leveling failed", "The board did not find its level at the start.",
              "Hold the camera still and restart the board.", true});

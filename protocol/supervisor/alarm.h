@@ -41,6 +41,8 @@ enum class AlarmCause {
     TooMuchGain,
     Resonance,
     Fault,  ///< the board says so itself: see Alarm::fault
+    OtherBattery,  ///< a low battery by the board's alarm, which does not suit the cells that it seems to
+                   ///< have
 };
 
 /// Something that went wrong. Plain data; its words are made in widgets/models/alarmtext.h.
@@ -55,6 +57,7 @@ struct Alarm
     double value = 0;
     double limit = 0;  ///< in the same unit; Battery: volts of all cells
     double hertz = 0;  ///< of an oscillation
+    int cells = 0;  ///< of the battery, by its voltage; 0: not known
     /// A runaway that is over by itself: the axis stands where it ended and is not coming back.
     bool isStanding = false;
     /// A runaway on a board without targets: it has turned by that much in one direction without a stop.

@@ -136,6 +136,12 @@ void Supervisor::watchBoard(double now)
         alarm.limit = limit;
         alarm.fault = faultOf(kind);
         alarm.cause = alarm.fault.isEmpty() ? AlarmCause::Unknown : AlarmCause::Fault;
+        if (kind == AlarmKind::Battery) {
+            alarm.cells = m_cells;
+            if (isAlarmOfOtherBattery(value, m_cells, m_rules.cellVolts, m_rules.battery,
+                                      !alarm.fault.isEmpty()))
+                alarm.cause = AlarmCause::OtherBattery;
+        }
         raise(alarm);
     };
     const bool isStarting = !m_situation.isStabilising || m_situation.isProcedure;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/base/axis.h"
+#include "protocol/base/choice.h"
 
 #include <QString>
 
@@ -25,6 +26,8 @@ struct ChannelSpec
     const char *capability = "";  ///< required of the board; without it the channel has no meaning
     int elements
         = 1;  ///< more than 1: an array, like a spectrum with 257 bins; kept whole, not plotted over time
+    std::span<const Choice> choices{};  ///< what its values mean
+    bool areBits = false;  ///< the choices are the bits of its values
 };
 
 using ChannelTable = std::span<const ChannelSpec>;

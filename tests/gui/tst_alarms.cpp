@@ -443,17 +443,29 @@ void TestAlarms::everyAlarmHasWords()
         QVERIFY(!alarmName(AlarmKind(kind)).isEmpty());
         for (const AlarmCause cause :
              {AlarmCause::Unknown, AlarmCause::SwappedAxes, AlarmCause::WrongDirection,
-              AlarmCause::TooMuchGain, AlarmCause::Resonance, AlarmCause::Fault}) {
+              AlarmCause::TooMuchGain, AlarmCause::Resonance, AlarmCause::Fault, AlarmCause::OtherBattery}) {
             AlarmReport report;
             report.alarm.kind = AlarmKind(kind);
             report.alarm.cause = cause;
             report.alarm.axis = Axis::Roll;
             report.alarm.other = Axis::Pitch;
+            report.alarm.cells = 3;
             const ErrorText text = describe(report, nullptr);
             QVERIFY(!text.what.isEmpty() && !text.meaning.isEmpty() && !text.cure.isEmpty());
             QVERIFY2(!text.oneLine().contains(u'%'), qPrintable(text.oneLine()));
         }
     }
+    // A full battery below an alarm that belongs to another is not told to be changed; both voltages are
+    // said.
+    AlarmReport battery;
+    battery.alarm.kind = AlarmKind::Battery;
+    battery.alarm.cause = AlarmCause::OtherBattery;
+    battery.alarm.value = 12.3;
+    battery.alarm.limit = 14;
+    battery.alarm.cells = 3;
+    const ErrorText told = describe(battery, nullptr);
+    QVERIFY2(told.what.contains(u"12.3"_s) && told.what.contains(u"14.0"_s), qPrintable(told.what));
+    QVERIFY2(told.meaning.contains(u"4.10"_s) && told.cure.contains(u"if it has 3"_s), qPrintable(told.cure));
     // What is over goes on no more, and what nobody watches any longer is not called quiet.
     AlarmReport report;
     report.alarm.kind = AlarmKind::Oscillation;

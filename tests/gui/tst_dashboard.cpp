@@ -197,6 +197,11 @@ void TestDashboard::oneLimitOfTheBattery()
     QCOMPARE(view.state(), BatteryView::State::Low);
     view.setThresholds(10.8, {}, false);
     QVERIFY2(view.thresholdText().contains(u"10.8"_s), qPrintable(view.thresholdText()));
+    // Another battery's alarm makes no full one low.
+    view.setThresholds(14.0, {}, false);
+    view.setVolts(12.3);
+    QVERIFY2(view.accessibleDescription().contains(u"below the alarm"_s),
+             qPrintable(view.accessibleDescription()));
 
     // On the screen, beside the alarm that tells it.
     WindowRig rig;
@@ -286,7 +291,7 @@ void TestDashboard::faultsAreLarge()
     auto *page = rig.page<DashboardPage>();
     QVERIFY(!page->findChild<QFrame *>(u"fault"_s));
     rig.workspace().changeWorld(u"battery=9.6"_s);
-    QTRY_VERIFY(says(page, u"Battery is empty"_s));
+    QTRY_VERIFY(says(page, u"Battery below its cut-off"_s));
     for (const QFrame *fault : page->findChildren<QFrame *>(u"fault"_s)) {
         const auto words = fault->findChildren<QLabel *>();
         QCOMPARE(words.size(), 3);  // what, what it means, what to do

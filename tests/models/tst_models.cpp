@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/base/filefault.h"
+#include "protocol/simplebgc/telemetrytables.h"
 #include "tests/support/virtualboard.h"
 #include "widgets/forms/editstack.h"
 #include "widgets/models/changemodel.h"
@@ -80,6 +81,7 @@ private slots:
     void changeModel();
     void changeModelWritesOnlyWhatIsTicked();
     void channelModel();
+    void channelsTellWhatTheyMean();
     void everyErrorHasWords();
     void everyFileFaultHasWords();
     void everyProgressHasWords();
@@ -375,6 +377,36 @@ void TestModels::channelModel()
     store->append(*group, Clock::now(), value);
     model.refresh();
     QCOMPARE(model.index(0, ChannelModel::ValueColumn, angles).data().toString(), u"12.35"_s);
+}
+
+// What a number means is read in words; the number is in the plot and in the tip.
+void TestModels::channelsTellWhatTheyMean()
+{
+    const ChannelTable table = simplebgc::channelTable();
+    const auto spec = [table](const char *key) -> const ChannelSpec & {
+        return table[std::size_t(findChannel(table, QLatin1String(key)))];
+    };
+    QCOMPARE(channelValueText(spec("system.calibration"), 3), u"poles"_s);
+    QCOMPARE(channelValueText(spec("system.calibration"), 200), u"200"_s);
+    QCOMPARE(channelValueText(spec("system.state"), 0x30), u"started, power manager"_s);
+    QCOMPARE(channelValueText(spec("system.state"), 0), u"None"_s);
+    QCOMPARE(channelValueText(spec("system.error"), 0x41), u"No IMU, Battery below the alarm"_s);
+    QCOMPARE(channelValueText(spec("profile.active"), 1), u"profile 2"_s);
+    QCOMPARE(channelValueText(spec("battery"), 12.3), u"12.30"_s);
+    QCOMPARE(channelValueText(spec("system.state"), qQNaN()), u"–"_s);
+    ChannelModel model;
+    auto store = std::make_shared<TelemetryStore>(int(table.size()));
+    model.reset(table, store);
+    const int channel = findChannel(table, u"system.state"_s);
+    const float value[] = {16.0F};
+    store->append(*store->defineGroup({channel}, 0.1), Clock::now(), value);
+    const QModelIndexList found = model.match(model.index(0, 0), ChannelModel::ChannelRole, channel, 1,
+                                              Qt::MatchExactly | Qt::MatchRecursive);
+    QCOMPARE(found.size(), 1);
+    const QModelIndex shown = found.first().siblingAtColumn(ChannelModel::ValueColumn);
+    QCOMPARE(shown.data().toString(), u"started"_s);
+    QVERIFY2(shown.data(Qt::ToolTipRole).toString().endsWith(u"16 = started"_s),
+             qPrintable(shown.data(Qt::ToolTipRole).toString()));
 }
 
 void TestModels::everyErrorHasWords()

@@ -47,6 +47,12 @@ public:
         for (const Choice &choice : choices)
             add(choice.name);
     }
+    void add(const ChannelSpec &channel)
+    {
+        add(channel.label);
+        add(channel.group);
+        add(channel.choices);
+    }
     void add(const BoardFault &fault)
     {
         add(fault.name.toUtf8().constData());
@@ -89,10 +95,8 @@ bool addSimpleBgc(Texts &texts)
     }
     for (const ValueRule &rule : simplebgc::valueRules())
         texts.add(rule.why);
-    for (const ChannelSpec &channel : simplebgc::channelTable()) {
-        texts.add(channel.label);
-        texts.add(channel.group);
-    }
+    for (const ChannelSpec &channel : simplebgc::channelTable())
+        texts.add(channel);
     for (const int firmware : {2590, 99999}) {
         for (const AdjustableSpec &variable : simplebgc::adjustablesOf(firmware)) {
             texts.add(variable.label);
@@ -140,10 +144,8 @@ void addStorm32(Texts &texts)
             texts.add(row.choices);
         }
     }
-    for (const ChannelSpec &channel : storm32::channelTable()) {
-        texts.add(channel.label);
-        texts.add(channel.group);
-    }
+    for (const ChannelSpec &channel : storm32::channelTable())
+        texts.add(channel);
     for (const unsigned bits : {0U, 0x8000U, 0x9028U, 0x803CU}) {
         for (const BoardFault &fault : storm32::faultsOf(bits, 6))
             texts.add(fault);
@@ -164,10 +166,8 @@ void addBcflight(Texts &texts)
     }
     for (const BlockSpec &block : bcflight::blocks())
         texts.add(block.data);
-    for (const ChannelSpec &channel : bcflight::channels()) {
-        texts.add(channel.label);
-        texts.add(channel.group);
-    }
+    for (const ChannelSpec &channel : bcflight::channels())
+        texts.add(channel);
     texts.add(bcflight::actions());
     const bcflight::Device drone;
     for (const int state : {0, 1, 2, 4}) {

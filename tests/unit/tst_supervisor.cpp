@@ -200,6 +200,8 @@ private slots:
     void slowDataAreNotStale();
     void alarmIsOverAndToldAgain();
     void boardsOwnVoltageCounts();
+    void alarmOfAnotherBatteryIsTold_data();
+    void alarmOfAnotherBatteryIsTold();
     void whatABoardLacksIsNotWatched();
     void ordinaryDayHasNoAlarm_data();
     void ordinaryDayHasNoAlarm();
@@ -705,6 +707,50 @@ void TestSupervisor::boardsOwnVoltageCounts()
     QCOMPARE(alarmAt(11.2, {.alarm = 11.0, .motorsOff = {}}), 0.0);
     QCOMPARE(alarmAt(9.9, {.alarm = 9.0, .motorsOff = {}}), 3 * SupervisorRules().cellVolts);
     QCOMPARE(alarmAt(10.7, {.alarm = 3.6, .motorsOff = {}, .perCell = true}), 3 * 3.6);
+}
+
+// An unpacked board's alarm belongs to another battery: nobody is told to change one that is full.
+void TestSupervisor::alarmOfAnotherBatteryIsTold_data()
+{
+    QTest::addColumn<double>("highest");
+    QTest::addColumn<double>("volts");
+    QTest::addColumn<double>("alarm");
+    QTest::addColumn<bool>("isReported");
+    QTest::addColumn<AlarmCause>("cause");
+    QTest::addColumn<int>("cells");
+    QTest::newRow("full, another's alarm") << 12.3 << 12.3 << 14.0 << false << AlarmCause::OtherBattery << 3;
+    QTest::newRow("the board says so too") << 12.3 << 12.3 << 14.0 << true << AlarmCause::OtherBattery << 3;
+    QTest::newRow("only the board says so") << 12.3 << 12.3 << 11.0 << true << AlarmCause::OtherBattery << 3;
+    QTest::newRow("it was full before") << 16.6 << 12.3 << 14.0 << false << AlarmCause::Unknown << 4;
+    QTest::newRow("low by any alarm") << 12.3 << 9.9 << 14.0 << false << AlarmCause::Unknown << 3;
+    QTest::newRow("low by its own alarm") << 12.3 << 10.9 << 11.1 << true << AlarmCause::Fault << 3;
+}
+
+void TestSupervisor::alarmOfAnotherBatteryIsTold()
+{
+    QFETCH(double, highest);
+    QFETCH(double, volts);
+    QFETCH(double, alarm);
+    QFETCH(bool, isReported);
+    Supervisor supervisor;
+    SupervisorRules rules;
+    rules.battery.alarm = alarm;
+    supervisor.setRules(rules);
+    for (double time = 0; time < 6; time += 0.1) {
+        SupervisedSituation situation;
+        if (isReported && time >= 1)
+            situation.faults.append(u"low-battery"_s);
+        supervisor.setSituation(situation);
+        SupervisedSample sample;
+        sample.time = time;
+        sample.battery = time < 1 ? highest : volts;
+        supervisor.add(sample);
+        supervisor.look(time);
+    }
+    const std::vector<Alarm> raised = supervisor.takeRaised();
+    QCOMPARE(raised.size(), 1U);
+    QTEST(raised.front().cause, "cause");
+    QTEST(raised.front().cells, "cells");
 }
 
 void TestSupervisor::whatABoardLacksIsNotWatched()

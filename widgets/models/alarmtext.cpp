@@ -91,6 +91,10 @@ QString seen(const Alarm &alarm)
     case AlarmKind::Battery:
         if (std::isnan(alarm.value))
             return AlarmText::tr("The battery is low.");
+        if (alarm.cause == AlarmCause::OtherBattery && alarm.limit > alarm.value)
+            return AlarmText::tr(
+                       "The battery's voltage of %1 V is below the alarm of %2 V that is set in the board.")
+                .arg(numberText(alarm.value, 1), numberText(alarm.limit, 1));
         // A board that reports it has a limit of its own.
         return alarm.fault.isEmpty() && alarm.limit > alarm.value
             ? AlarmText::tr("The battery is low: %1 V, the limit is %2 V.")
@@ -135,6 +139,12 @@ QString meant(const Alarm &alarm)
                    "A part of the structure resonates at %1 Hz and the motor drives it; too high a D "
                    "can do the same.")
             .arg(numberText(alarm.hertz, 0));
+    case AlarmCause::OtherBattery:
+        return AlarmText::tr(
+                   "By its voltage it has %n cell(s) of %1 V, which are not low: the alarm is meant "
+                   "for a battery with more cells. If it has more, it is nearly empty.",
+                   nullptr, alarm.cells)
+            .arg(numberText(alarm.value / alarm.cells, 2));
     case AlarmCause::Fault:
     case AlarmCause::Unknown: break;
     }
@@ -183,6 +193,11 @@ QString cure(const Alarm &alarm)
                                    : AlarmText::tr("Lower P, then D, of that axis.");
     case AlarmCause::Resonance:
         return AlarmText::tr("Stiffen the camera's mount, lower D, or place a notch filter there.");
+    case AlarmCause::OtherBattery:
+        return AlarmText::tr(
+            "Count its cells: if it has %n, correct the battery's alarm in the board; if it has "
+            "more, change it.",
+            nullptr, alarm.cells);
     case AlarmCause::Fault:
     case AlarmCause::Unknown: break;
     }

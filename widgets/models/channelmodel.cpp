@@ -19,6 +19,14 @@ constexpr quintptr kGroupRow = 0;
 
 }  // namespace
 
+QString channelValueText(const ChannelSpec &spec, double value)
+{
+    if (std::isnan(value))
+        return u"–"_s;
+    const QString meaning = spec.choices.empty() ? QString() : choicesText(spec.choices, value, spec.areBits);
+    return meaning.isEmpty() ? numberText(value, spec.decimals) : meaning;
+}
+
 const QString ChannelModel::kMimeType = u"application/x-gimbaldesk-channels"_s;
 
 ChannelModel::ChannelModel(QObject *parent)
@@ -137,7 +145,7 @@ QVariant ChannelModel::data(const QModelIndex &index, int role) const
             return values && !values->empty() ? tr("%n value(s)", nullptr, int(values->size())) : u"–"_s;
         }
         const float value = m_store ? m_store->latest(channel) : std::numeric_limits<float>::quiet_NaN();
-        return std::isnan(value) ? u"–"_s : numberText(double(value), spec.decimals);
+        return channelValueText(spec, double(value));
     }
     case UnitColumn: return QString::fromUtf8(spec.unit);
     default: return {};
@@ -146,7 +154,12 @@ QVariant ChannelModel::data(const QModelIndex &index, int role) const
 
 QString ChannelModel::toolTip(int channel) const
 {
-    const QString key = QString::fromLatin1(m_table[std::size_t(channel)].key);
+    const ChannelSpec &spec = m_table[std::size_t(channel)];
+    QString key = QString::fromLatin1(spec.key);
+    // Words may not fit into their column; the plot has the number.
+    if (const double value = m_store && !spec.choices.empty() ? double(m_store->latest(channel)) : qQNaN();
+        !std::isnan(value))
+        key += u"\n%1 = %2"_s.arg(numberText(value, spec.decimals), channelValueText(spec, value));
     const quint64 invalid = m_store ? m_store->invalid(channel) : 0;
     return invalid == 0 ? key
                         : key + u'\n'

@@ -9,6 +9,9 @@
 
 class QMimeData;
 
+/// A channel's value for people: what it means where that is known, else the number, without its unit.
+[[nodiscard]] QString channelValueText(const ChannelSpec &spec, double value);
+
 /// Telemetry channels in groups, each with a tick and its live value.
 class ChannelModel final : public QAbstractItemModel
 {

@@ -62,6 +62,18 @@ QStringList changePlaces(const ConfigurationModel &model, const QMap<int, int> &
     return places;
 }
 
+QString choicesText(std::span<const Choice> choices, double raw, bool areBits)
+{
+    QStringList names;
+    for (const Choice &choice : choices) {
+        if (areBits ? (flagBits(raw) & (1U << choice.value)) != 0 : choice.value == raw)
+            names.append(tableText(choice.name));
+    }
+    if (areBits)
+        return names.isEmpty() ? QCoreApplication::translate("Tables", "None") : names.join(u", "_s);
+    return names.join(u" / "_s);
+}
+
 QString parameterValueText(const ParameterSpec &spec, double raw)
 {
     if (std::isnan(raw))
@@ -70,20 +82,11 @@ QString parameterValueText(const ParameterSpec &spec, double raw)
     case ValueKind::Toggle:
         return raw != 0 ? QCoreApplication::translate("Tables", "On")
                         : QCoreApplication::translate("Tables", "Off");
-    case ValueKind::Choice:
-        for (const Choice &choice : spec.row->choices) {
-            if (choice.value == raw)
-                return tableText(choice.name);
-        }
-        return QString::number(qint64(raw));
-    case ValueKind::Flags: {
-        QStringList names;
-        for (const Choice &choice : spec.row->choices) {
-            if (flagBits(raw) & (1U << choice.value))
-                names.append(tableText(choice.name));
-        }
-        return names.isEmpty() ? QCoreApplication::translate("Tables", "None") : names.join(u", "_s);
+    case ValueKind::Choice: {
+        const QString name = choicesText(spec.row->choices, raw, false);
+        return name.isEmpty() ? QString::number(qint64(raw)) : name;
     }
+    case ValueKind::Flags: return choicesText(spec.row->choices, raw, true);
     case ValueKind::Number: break;
     }
     return numberText(spec.rounded(raw));

@@ -65,6 +65,9 @@ private:
 [[nodiscard]] QString parameterLabel(const ParameterSpec &spec, bool withAxis = true);
 [[nodiscard]] QString axisLabel(Axis axis);
 [[nodiscard]] QString tableText(const char *text);
+/// What a value means: its bits, "None" without any; or the choice that it is, empty where it is none of
+/// them, several where firmwares differ.
+[[nodiscard]] QString choicesText(std::span<const Choice> choices, double raw, bool areBits);
 /// The profile's name, or its number where it has none.
 [[nodiscard]] QString profileLabel(const Configuration &configuration, int profile);
 [[nodiscard]] QString parameterValueText(const ParameterSpec &spec, double raw);

@@ -469,10 +469,12 @@ QStringList PlotView::cursorTexts() const
             texts.append(u"%1  –"_s.arg(curveName(i)));
             continue;
         }
-        QString text = u"%1  %2 %3"_s.arg(curveName(i), numberText(value, spec.decimals), unit);
+        const bool isWhole = curve.minus < 0;  // a difference of two means nothing in words
+        QString text = u"%1  %2 %3"_s.arg(
+            curveName(i), isWhole ? channelValueText(spec, value) : numberText(value, spec.decimals), unit);
         const double before
             = m_reference ? valueAt(*m_store, curve.channel, curve.minus, *m_reference) : std::nan("");
-        if (!std::isnan(before))
+        if (!std::isnan(before) && spec.choices.empty())
             text += u"  (Δ %1%2)"_s.arg(value < before ? u""_s : u"+"_s,
                                         numberText(value - before, spec.decimals));
         texts.append(text);

@@ -87,12 +87,18 @@ BatteryView::State BatteryView::state() const
     return alarm() && m_volts < *alarm() ? State::Low : State::Good;
 }
 
+bool BatteryView::isAlarmOfOtherBattery() const
+{
+    return ::isAlarmOfOtherBattery(m_volts, m_cells, m_lowCell,
+                                   {.alarm = m_alarm, .motorsOff = {}, .perCell = m_perCell}, false);
+}
+
 QString BatteryView::stateText() const
 {
     switch (state()) {
     case State::Unknown: return std::isnan(m_volts) ? QString() : tr("no battery");
     case State::Empty: return tr("✖ motors off");
-    case State::Low: return tr("⚠ low");
+    case State::Low: return isAlarmOfOtherBattery() ? tr("⚠ below the alarm") : tr("⚠ low");
     case State::Good: break;
     }
     return alarm() || motorsOff() ? tr("✓ good") : QString();

@@ -39,6 +39,7 @@ private:
     [[nodiscard]] std::optional<double> whole(const std::optional<double> &volts) const;
     [[nodiscard]] QString cellText() const;
     [[nodiscard]] QString stateText() const;
+    [[nodiscard]] bool isAlarmOfOtherBattery() const;
     void tell();
 
     const Theme &m_theme;
