@@ -3164,6 +3164,1293 @@
     </message>
 </context>
 <context>
+    <name>ErrorDetail</name>
+    <message>
+        <source>a segment has 16 to 65536 samples, an even number</source>
+        <translation>ein Abschnitt hat 16 bis 65536 Messwerte, eine gerade Zahl</translation>
+    </message>
+    <message>
+        <source>the overlap is 0 to 0.9</source>
+        <translation>die Überlappung ist 0 bis 0.9</translation>
+    </message>
+    <message>
+        <source>the sample rate is not known</source>
+        <translation>die Abtastrate ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 samples are fewer than one segment of %2</source>
+        <translation>%1 Messwerte sind weniger als ein Abschnitt von %2</translation>
+    </message>
+    <message>
+        <source>%1 samples are too few for a step</source>
+        <translation>%1 Messwerte sind zu wenige für einen Sprung</translation>
+    </message>
+    <message>
+        <source>the samples end where they began: no step to measure</source>
+        <translation>die Messwerte enden, wo sie begannen: kein Sprung zu messen</translation>
+    </message>
+    <message>
+        <source>no samples</source>
+        <translation>keine Messwerte</translation>
+    </message>
+    <message>
+        <source>the target did not step: another control source may hold it</source>
+        <translation>das Ziel ist nicht gesprungen: vielleicht hält es eine andere Steuerquelle</translation>
+    </message>
+    <message>
+        <source>the command did not step</source>
+        <translation>der Befehl ist nicht gesprungen</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; is not a whole number</source>
+        <translation>%1: „%2“ ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not within %3 .. %4</source>
+        <translation>%1: %2 liegt nicht zwischen %3 und %4</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; is not a number</source>
+        <translation>%1: „%2“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; is not a series of bytes in hex</source>
+        <translation>%1: „%2“ ist keine Folge von Bytes in Hex</translation>
+    </message>
+    <message>
+        <source>%1 bytes are too few</source>
+        <translation>%1 Bytes sind zu wenige</translation>
+    </message>
+    <message>
+        <source>there is no field &apos;%1&apos;</source>
+        <translation>ein Feld „%1“ gibt es nicht</translation>
+    </message>
+    <message>
+        <source>only generations F and G are told to do anything</source>
+        <translation>nur den Generationen F und G wird etwas befohlen</translation>
+    </message>
+    <message>
+        <source>the drone says that it is armed</source>
+        <translation>die Drohne meldet, dass sie scharf ist</translation>
+    </message>
+    <message>
+        <source>the drone drives its motors though disarmed</source>
+        <translation>die Drohne treibt ihre Motoren an, obwohl sie unscharf ist</translation>
+    </message>
+    <message>
+        <source>this generation does not tell it</source>
+        <translation>diese Generation meldet es nicht</translation>
+    </message>
+    <message>
+        <source>only generations F and G are asked for their recordings</source>
+        <translation>nur die Generationen F und G werden nach ihren Aufnahmen gefragt</translation>
+    </message>
+    <message>
+        <source>the transmitter sends with power %1</source>
+        <translation>der Sender sendet mit Leistung %1</translation>
+    </message>
+    <message>
+        <source>the transmitter sends in the band %1 on channel %2</source>
+        <translation>der Sender sendet im Band %1 auf Kanal %2</translation>
+    </message>
+    <message>
+        <source>the drone has no video transmitter</source>
+        <translation>die Drohne hat keinen Videosender</translation>
+    </message>
+    <message>
+        <source>the drone is armed</source>
+        <translation>die Drohne ist scharf</translation>
+    </message>
+    <message>
+        <source>the drone does not say that it is calibrated</source>
+        <translation>die Drohne meldet nicht, dass sie kalibriert ist</translation>
+    </message>
+    <message>
+        <source>the drone did not begin to calibrate</source>
+        <translation>die Drohne hat nicht zu kalibrieren begonnen</translation>
+    </message>
+    <message>
+        <source>the drone had taken it up already, and has carried it out</source>
+        <translation>die Drohne hatte es schon angenommen und hat es ausgeführt</translation>
+    </message>
+    <message>
+        <source>the drone does not answer any more; only switching it off and on helps</source>
+        <translation>die Drohne antwortet nicht mehr; nur Aus- und Einschalten hilft</translation>
+    </message>
+    <message>
+        <source>the drone is not calibrated</source>
+        <translation>die Drohne ist nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>the drone does not stream its outputs, so nobody knows how many motors it has; switch full telemetry on</source>
+        <translation>die Drohne sendet ihre Ausgänge nicht, darum weiß niemand, wie viele Motoren sie hat; volle Telemetrie einschalten</translation>
+    </message>
+    <message>
+        <source>the drone has %1 motors</source>
+        <translation>die Drohne hat %1 Motoren</translation>
+    </message>
+    <message>
+        <source>the drone is calibrating</source>
+        <translation>die Drohne kalibriert gerade</translation>
+    </message>
+    <message>
+        <source>the drone holds another text than was uploaded</source>
+        <translation>die Drohne hat einen anderen Text als den hochgeladenen</translation>
+    </message>
+    <message>
+        <source>after its restart the drone uses other gains</source>
+        <translation>nach ihrem Neustart verwendet die Drohne andere Verstärkungen</translation>
+    </message>
+    <message>
+        <source>the drone has not come back after its restart; what it was given may not start, and then only a login on its computer helps</source>
+        <translation>die Drohne ist nach ihrem Neustart nicht zurückgekommen; was sie bekommen hat, startet vielleicht nicht, und dann hilft nur eine Anmeldung auf ihrem Rechner</translation>
+    </message>
+    <message>
+        <source>the drone has not restarted</source>
+        <translation>die Drohne hat nicht neu gestartet</translation>
+    </message>
+    <message>
+        <source>the drone refuses to calibrate</source>
+        <translation>die Drohne verweigert die Kalibrierung</translation>
+    </message>
+    <message>
+        <source>the drone has no camera</source>
+        <translation>die Drohne hat keine Kamera</translation>
+    </message>
+    <message>
+        <source>no camera answers</source>
+        <translation>keine Kamera antwortet</translation>
+    </message>
+    <message>
+        <source>%1: another value came back</source>
+        <translation>%1: ein anderer Wert kam zurück</translation>
+    </message>
+    <message>
+        <source>a gain is no number</source>
+        <translation>eine Verstärkung ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 bytes; less than %2 are allowed</source>
+        <translation>%1 Bytes; erlaubt sind weniger als %2</translation>
+    </message>
+    <message>
+        <source>the configuration text is uploaded over UDP only</source>
+        <translation>der Konfigurationstext wird nur über UDP hochgeladen</translation>
+    </message>
+    <message>
+        <source>the drone confirmed the text, and has not restarted</source>
+        <translation>die Drohne hat den Text bestätigt und nicht neu gestartet</translation>
+    </message>
+    <message>
+        <source>the drone answers, and does not take the text</source>
+        <translation>die Drohne antwortet und nimmt den Text nicht an</translation>
+    </message>
+    <message>
+        <source>the text did not arrive whole; it was not written</source>
+        <translation>der Text ist nicht ganz angekommen; er wurde nicht geschrieben</translation>
+    </message>
+    <message>
+        <source>a drone decides by itself what it streams</source>
+        <translation>eine Drohne entscheidet selbst, was sie sendet</translation>
+    </message>
+    <message>
+        <source>the battery is low: %1 V, %2 %. A drone that loses its power while its program is replaced does not start any more; charge or change the battery first</source>
+        <translation>der Akku ist schwach: %1 V, %2 %. Eine Drohne, die beim Ersetzen ihres Programms den Strom verliert, startet nicht mehr; zuerst den Akku laden oder wechseln</translation>
+    </message>
+    <message>
+        <source>firmware is uploaded over UDP only</source>
+        <translation>Firmware wird nur über UDP hochgeladen</translation>
+    </message>
+    <message>
+        <source>a piece of the firmware</source>
+        <translation>ein Stück der Firmware</translation>
+    </message>
+    <message>
+        <source>the drone did not take a piece of the firmware, and may have taken its bytes for commands; look whether it is armed</source>
+        <translation>die Drohne hat ein Stück der Firmware nicht angenommen und seine Bytes vielleicht für Befehle gehalten; nachsehen, ob sie scharf ist</translation>
+    </message>
+    <message>
+        <source>the drone runs the firmware that it had; its stream stays silent until it is restarted: switch it off and on</source>
+        <translation>die Drohne läuft mit ihrer bisherigen Firmware; sie sendet nichts, bis sie neu startet: aus- und einschalten</translation>
+    </message>
+    <message>
+        <source>nothing to send</source>
+        <translation>nichts zu senden</translation>
+    </message>
+    <message>
+        <source>%1 is not sent from here</source>
+        <translation>%1 wird von hier nicht gesendet</translation>
+    </message>
+    <message>
+        <source>there is no message &apos;%1&apos;</source>
+        <translation>eine Nachricht „%1“ gibt es nicht</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 fields are needed, not %2</source>
+        <translation>%1 Felder sind nötig, nicht %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no number</source>
+        <translation>%1: %2 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>the text has no checksum</source>
+        <translation>der Text hat keine Prüfsumme</translation>
+    </message>
+    <message>
+        <source>the text of %1 bytes does not fit its checksum</source>
+        <translation>der Text von %1 Bytes passt nicht zu seiner Prüfsumme</translation>
+    </message>
+    <message>
+        <source>a black box has no streams</source>
+        <translation>eine Blackbox hat keine Datenströme</translation>
+    </message>
+    <message>
+        <source>this board has no streams; it is asked for each sample</source>
+        <translation>dieses Board hat keine Datenströme; es wird nach jedem Messwert gefragt</translation>
+    </message>
+    <message>
+        <source>say which family it is with ?family= and one of %1</source>
+        <translation>mit ?family= und einem von %1 sagen, welche Familie es ist</translation>
+    </message>
+    <message>
+        <source>%1 counts in whole steps</source>
+        <translation>%1 zählt in ganzen Schritten</translation>
+    </message>
+    <message>
+        <source>the board is tuning itself</source>
+        <translation>das Board stimmt sich gerade selbst ab</translation>
+    </message>
+    <message>
+        <source>nothing was changed live</source>
+        <translation>nichts wurde live geändert</translation>
+    </message>
+    <message>
+        <source>variable %1: %2 was written, %3 is in use</source>
+        <translation>Variable %1: %2 wurde geschrieben, %3 ist in Gebrauch</translation>
+    </message>
+    <message>
+        <source>%1 has control characters, such as a line break</source>
+        <translation>%1 hat Steuerzeichen, etwa einen Zeilenumbruch</translation>
+    </message>
+    <message>
+        <source>%1=%2 is neither on nor off</source>
+        <translation>%1=%2 ist weder on noch off</translation>
+    </message>
+    <message>
+        <source>%1=%2 is none of: %3</source>
+        <translation>%1=%2 ist keines von: %3</translation>
+    </message>
+    <message>
+        <source>%1=%2 is not a %3 from %4 to %5</source>
+        <translation>%1=%2 ist keine %3 von %4 bis %5</translation>
+    </message>
+    <message>
+        <source>whole number</source>
+        <translation>ganze Zahl</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>%1=%2 may mean %3 or the number of another; give the name: %4</source>
+        <translation>%1=%2 kann %3 oder die Nummer eines anderen bedeuten; den Namen angeben: %4</translation>
+    </message>
+    <message>
+        <source>%1 has no argument &apos;%2&apos;</source>
+        <translation>%1 hat kein Argument „%2“</translation>
+    </message>
+    <message>
+        <source>this board lacks something for that step</source>
+        <translation>diesem Board fehlt etwas für diesen Schritt</translation>
+    </message>
+    <message>
+        <source>no telemetry</source>
+        <translation>keine Live-Daten</translation>
+    </message>
+    <message>
+        <source>the motors are off</source>
+        <translation>die Motoren sind aus</translation>
+    </message>
+    <message>
+        <source>motors off</source>
+        <translation>Motoren aus</translation>
+    </message>
+    <message>
+        <source>%1 V: that is no battery, only USB feeds the board. Connect the battery</source>
+        <translation>%1 V: das ist kein Akku, nur USB versorgt das Board. Den Akku anschließen</translation>
+    </message>
+    <message>
+        <source>%1 V fits no number of cells: charge the battery, or say how many it has</source>
+        <translation>%1 V passt zu keiner Zellenzahl: den Akku laden oder sagen, wie viele er hat</translation>
+    </message>
+    <message>
+        <source>%1 V fits %2 cells: say how many it has</source>
+        <translation>%1 V passt zu %2 Zellen: sagen, wie viele er hat</translation>
+    </message>
+    <message>
+        <source>%1 V at %2 cells is %3 V for each: charge the battery, or correct the number</source>
+        <translation>%1 V bei %2 Zellen sind %3 V für jede: den Akku laden oder die Zahl berichtigen</translation>
+    </message>
+    <message>
+        <source>the camera was not held level for a minute: hold it level, then begin again</source>
+        <translation>die Kamera wurde eine Minute lang nicht waagerecht gehalten: waagerecht halten, dann neu beginnen</translation>
+    </message>
+    <message>
+        <source>the camera did not move at all, so it was not let go: let go, and tip it lightly</source>
+        <translation>die Kamera hat sich gar nicht bewegt, also wurde sie nicht losgelassen: loslassen und leicht antippen</translation>
+    </message>
+    <message>
+        <source>%1 is %2° away from its target</source>
+        <translation>%1 ist %2° von seinem Ziel entfernt</translation>
+    </message>
+    <message>
+        <source>not a record of a set-up that this version reads</source>
+        <translation>keine Aufzeichnung einer Einrichtung, die diese Version liest</translation>
+    </message>
+    <message>
+        <source>the notch that was tried is still on the board</source>
+        <translation>der erprobte Kerbfilter ist noch auf dem Board</translation>
+    </message>
+    <message>
+        <source>the camera was not moved by more than some degrees: move it by hand as far as it may go</source>
+        <translation>die Kamera wurde nur um wenige Grad bewegt: von Hand so weit bewegen, wie sie darf</translation>
+    </message>
+    <message>
+        <source>%1 of %2 bytes</source>
+        <translation>%1 von %2 Bytes</translation>
+    </message>
+    <message>
+        <source>%1 bytes in %2</source>
+        <translation>%1 Bytes in %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2, allowed are %3 to %4</source>
+        <translation>%1 ist %2, erlaubt sind %3 bis %4</translation>
+    </message>
+    <message>
+        <source>the board cannot be steered to an angle</source>
+        <translation>das Board lässt sich nicht auf einen Winkel steuern</translation>
+    </message>
+    <message>
+        <source>the board does not tell its targets, so the line&apos;s delay would be taken for its own; steps can be measured</source>
+        <translation>das Board meldet seine Ziele nicht, darum würde die Verzögerung der Leitung für seine gehalten; Sprünge lassen sich messen</translation>
+    </message>
+    <message>
+        <source>no telemetry of the angles</source>
+        <translation>keine Live-Daten der Winkel</translation>
+    </message>
+    <message>
+        <source>the axis is %1° away from its target</source>
+        <translation>die Achse ist %1° von ihrem Ziel entfernt</translation>
+    </message>
+    <message>
+        <source>the axis does not come to rest in its middle</source>
+        <translation>die Achse kommt in ihrer Mitte nicht zur Ruhe</translation>
+    </message>
+    <message>
+        <source>target and angle do not come in the same rows</source>
+        <translation>Ziel und Winkel kommen nicht in denselben Zeilen</translation>
+    </message>
+    <message>
+        <source>only %1 of %2 s arrived without a hole</source>
+        <translation>nur %1 von %2 s sind lückenlos angekommen</translation>
+    </message>
+    <message>
+        <source>no telemetry for %1 s</source>
+        <translation>%1 s lang keine Live-Daten</translation>
+    </message>
+    <message>
+        <source>the motors went off</source>
+        <translation>die Motoren sind ausgegangen</translation>
+    </message>
+    <message>
+        <source>%1° from the middle, %2° are allowed</source>
+        <translation>%1° von der Mitte, erlaubt sind %2°</translation>
+    </message>
+    <message>
+        <source>this board has one profile, without a name</source>
+        <translation>dieses Board hat ein Profil, ohne Namen</translation>
+    </message>
+    <message>
+        <source>profile names; the board takes all of them at once, so those that were not read would be erased: nothing was written</source>
+        <translation>Profilnamen; das Board nimmt alle auf einmal, nicht gelesene würden gelöscht: nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>profile names: %1</source>
+        <translation>Profilnamen: %1</translation>
+    </message>
+    <message>
+        <source>the board sends no angular rate of this axis</source>
+        <translation>das Board sendet keine Drehrate dieser Achse</translation>
+    </message>
+    <message>
+        <source>%1 could not be read</source>
+        <translation>%1 ließ sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>nothing tells %1</source>
+        <translation>nichts meldet %1</translation>
+    </message>
+    <message>
+        <source>profile %1 is in use now, and was profile %2 when the board was read</source>
+        <translation>jetzt ist Profil %1 in Gebrauch, beim Lesen des Boards war es Profil %2</translation>
+    </message>
+    <message>
+        <source>the active profile is another than before</source>
+        <translation>das aktive Profil ist ein anderes als vorher</translation>
+    </message>
+    <message>
+        <source>%1: each answer is another</source>
+        <translation>%1: jede Antwort ist eine andere</translation>
+    </message>
+    <message>
+        <source>%1 does not hold what was saved</source>
+        <translation>%1 enthält nicht, was gesichert wurde</translation>
+    </message>
+    <message>
+        <source>this board has a serial number, which names it</source>
+        <translation>dieses Board hat eine Seriennummer, die es benennt</translation>
+    </message>
+    <message>
+        <source>a board without a serial number needs a name</source>
+        <translation>ein Board ohne Seriennummer braucht einen Namen</translation>
+    </message>
+    <message>
+        <source>the recording has ended</source>
+        <translation>die Aufnahme ist zu Ende</translation>
+    </message>
+    <message>
+        <source>%1=%2 is not a number from %3 to %4</source>
+        <translation>%1=%2 ist keine Zahl von %3 bis %4</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not an address; one looks like 127.0.0.1:%2</source>
+        <translation>„%1“ ist keine Adresse; eine sieht aus wie 127.0.0.1:%2</translation>
+    </message>
+    <message>
+        <source>sent %1 times</source>
+        <translation>%1-mal gesendet</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a whole number from %2 to %3</source>
+        <translation>„%1“ ist keine ganze Zahl von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>the board does not see its motion sensor</source>
+        <translation>das Board sieht seinen Bewegungssensor nicht</translation>
+    </message>
+    <message>
+        <source>the board reports that its motors are off</source>
+        <translation>das Board meldet, dass seine Motoren aus sind</translation>
+    </message>
+    <message>
+        <source>the board reports that its motors are running</source>
+        <translation>das Board meldet, dass seine Motoren laufen</translation>
+    </message>
+    <message>
+        <source>steering in that mode</source>
+        <translation>Steuern in dieser Betriebsart</translation>
+    </message>
+    <message>
+        <source>%1=%2: in the mode &apos;%3&apos; it goes from %4 to %5%6</source>
+        <translation>%1=%2: in der Betriebsart „%3“ geht es von %4 bis %5%6</translation>
+    </message>
+    <message>
+        <source>steer needs roll=, pitch= or yaw=</source>
+        <translation>steer braucht roll=, pitch= oder yaw=</translation>
+    </message>
+    <message>
+        <source>firmware before 2.55b5 steers all axes at once and cannot leave one alone: name roll, pitch and yaw</source>
+        <translation>Firmware vor 2.55b5 steuert alle Achsen zugleich und kann keine in Ruhe lassen: Roll, Pitch und Yaw nennen</translation>
+    </message>
+    <message>
+        <source>the motors are off, so nothing would move</source>
+        <translation>die Motoren sind aus, darum würde sich nichts bewegen</translation>
+    </message>
+    <message>
+        <source>as the board tells it, neither the camera nor its target has turned</source>
+        <translation>wie das Board es meldet, haben sich weder die Kamera noch ihr Ziel gedreht</translation>
+    </message>
+    <message>
+        <source>control was given back before the camera was there, %1</source>
+        <translation>die Steuerung wurde zurückgegeben, bevor die Kamera dort war, %1</translation>
+    </message>
+    <message>
+        <source>the camera did not get where it was steered to, %1</source>
+        <translation>die Kamera kam nicht dahin, wohin sie gesteuert wurde, %1</translation>
+    </message>
+    <message>
+        <source>the limits of the sticks may hold it back, which limited=off lifts</source>
+        <translation>vielleicht halten sie die Grenzen der Steuerknüppel zurück, die limited=off aufhebt</translation>
+    </message>
+    <message>
+        <source>a melody has at most %1 notes</source>
+        <translation>eine Melodie hat höchstens %1 Töne</translation>
+    </message>
+    <message>
+        <source>variable %1 was not told</source>
+        <translation>Variable %1 wurde nicht gemeldet</translation>
+    </message>
+    <message>
+        <source>%1: whether the values in use are stored now shows only when the board has restarted</source>
+        <translation>%1: ob die Werte in Gebrauch jetzt gespeichert sind, zeigt sich erst nach einem Neustart des Boards</translation>
+    </message>
+    <message>
+        <source>the board has no frame sensor that works</source>
+        <translation>das Board hat keinen Rahmensensor, der arbeitet</translation>
+    </message>
+    <message>
+        <source>the board goes on with its frame sensor</source>
+        <translation>das Board macht mit seinem Rahmensensor weiter</translation>
+    </message>
+    <message>
+        <source>no function of this profile has a signal</source>
+        <translation>keine Funktion dieses Profils hat ein Signal</translation>
+    </message>
+    <message>
+        <source>the board tells that the slot is %1</source>
+        <translation>das Board meldet, dass der Platz %1 ist</translation>
+    </message>
+    <message>
+        <source>still in use</source>
+        <translation>noch in Gebrauch</translation>
+    </message>
+    <message>
+        <source>data needs up to %1 bytes in hex</source>
+        <translation>data braucht bis zu %1 Bytes in Hex</translation>
+    </message>
+    <message>
+        <source>the board holds other data</source>
+        <translation>das Board hat andere Daten</translation>
+    </message>
+    <message>
+        <source>READ_FILE at page %1</source>
+        <translation>READ_FILE auf Seite %1</translation>
+    </message>
+    <message>
+        <source>the board holds another file</source>
+        <translation>das Board hat eine andere Datei</translation>
+    </message>
+    <message>
+        <source>the board still has the file</source>
+        <translation>das Board hat die Datei noch</translation>
+    </message>
+    <message>
+        <source>no slot has a signal</source>
+        <translation>kein Platz hat ein Signal</translation>
+    </message>
+    <message>
+        <source>the board shows its other sensor, so nobody would see what the calibration does: imu.select imu=%1 first</source>
+        <translation>das Board zeigt seinen anderen Sensor, darum sähe niemand, was die Kalibrierung bewirkt: zuerst imu.select imu=%1</translation>
+    </message>
+    <message>
+        <source>the sensor does not lie level and the motors are running; six=on switches them off</source>
+        <translation>der Sensor liegt nicht waagerecht, und die Motoren laufen; six=on schaltet sie aus</translation>
+    </message>
+    <message>
+        <source>%1: it was not confirmed, and motors that were off run now</source>
+        <translation>%1: es wurde nicht bestätigt, und Motoren, die aus waren, laufen jetzt</translation>
+    </message>
+    <message>
+        <source>%1: the end was not confirmed</source>
+        <translation>%1: das Ende wurde nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>%1: neither start nor end was confirmed; nobody can tell whether the board calibrated</source>
+        <translation>%1: weder Beginn noch Ende wurde bestätigt; niemand weiß, ob das Board kalibriert hat</translation>
+    </message>
+    <message>
+        <source>the sensor moves (%1 °/s): let it lie still</source>
+        <translation>der Sensor bewegt sich (%1 °/s): still liegen lassen</translation>
+    </message>
+    <message>
+        <source>the sensor measures %1 g instead of 1 g, which none at rest does: something moves it, it is defective, or an earlier calibration is wrong, which action=reset-all removes</source>
+        <translation>der Sensor misst %1 g statt 1 g, was keiner in Ruhe tut: etwas bewegt ihn, er ist defekt, oder eine frühere Kalibrierung ist falsch, die action=reset-all entfernt</translation>
+    </message>
+    <message>
+        <source>the gyroscope shows %1 °/s at rest, and showed %2 °/s before</source>
+        <translation>das Gyroskop zeigt in Ruhe %1 °/s, vorher %2 °/s</translation>
+    </message>
+    <message>
+        <source>the accelerometer is off by %1 g, and was by %2 g before</source>
+        <translation>der Beschleunigungssensor liegt um %1 g daneben, vorher um %2 g</translation>
+    </message>
+    <message>
+        <source>the board repeats the same figures: they are not measured</source>
+        <translation>das Board wiederholt dieselben Zahlen: sie sind nicht gemessen</translation>
+    </message>
+    <message>
+        <source>it measures %1 V</source>
+        <translation>es misst %1 V</translation>
+    </message>
+    <message>
+        <source>AUTO_PID: it searches on</source>
+        <translation>AUTO_PID: es sucht weiter</translation>
+    </message>
+    <message>
+        <source>no axis to tune</source>
+        <translation>keine Achse zum Abstimmen</translation>
+    </message>
+    <message>
+        <source>AUTO_PID: the board says that the search has ended, with %1=%2, and still uses %3</source>
+        <translation>AUTO_PID: das Board meldet die Suche als beendet, mit %1=%2, und verwendet noch %3</translation>
+    </message>
+    <message>
+        <source>the board was told to stop searching, and reports no search any more</source>
+        <translation>dem Board wurde befohlen, die Suche zu beenden, und es meldet keine mehr</translation>
+    </message>
+    <message>
+        <source>the board may be searching; it was told to stop, without proof (%1): switch the motors off</source>
+        <translation>das Board sucht vielleicht noch; ihm wurde befohlen aufzuhören, ohne Beleg (%1): die Motoren ausschalten</translation>
+    </message>
+    <message>
+        <source>the gains from before could not be put back (%1)</source>
+        <translation>die Verstärkungen von vorher ließen sich nicht wiederherstellen (%1)</translation>
+    </message>
+    <message>
+        <source>the search has ended; which gains are in use could not be read</source>
+        <translation>die Suche ist beendet; welche Verstärkungen in Gebrauch sind, ließ sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>%1 with %2 bytes</source>
+        <translation>%1 mit %2 Bytes</translation>
+    </message>
+    <message>
+        <source>profile %1 was to be used, profile %2 is</source>
+        <translation>Profil %1 sollte verwendet werden, Profil %2 wird es</translation>
+    </message>
+    <message>
+        <source>data needs 1 to %1 bytes in hex</source>
+        <translation>data braucht 1 bis %1 Bytes in Hex</translation>
+    </message>
+    <message>
+        <source>this is the memory with the board&apos;s calibrations and its licence; memory.restore writes it with a copy, and compares</source>
+        <translation>dies ist der Speicher mit den Kalibrierungen und der Lizenz des Boards; memory.restore schreibt ihn mit Kopie und vergleicht</translation>
+    </message>
+    <message>
+        <source>the board goes on as before</source>
+        <translation>das Board macht weiter wie vorher</translation>
+    </message>
+    <message>
+        <source>this firmware takes acc, roll and pitch alone (2.59 takes the others)</source>
+        <translation>diese Firmware nimmt nur acc, roll und pitch (2.59 nimmt die anderen)</translation>
+    </message>
+    <message>
+        <source>mode asks for an attitude and sets none</source>
+        <translation>mode verlangt eine Lage und setzt keine</translation>
+    </message>
+    <message>
+        <source>stopped at command %1</source>
+        <translation>angehalten bei Befehl %1</translation>
+    </message>
+    <message>
+        <source>after %1 come payload bytes in hex%2</source>
+        <translation>nach %1 kommen Nutzbytes in Hex%2</translation>
+    </message>
+    <message>
+        <source>these bytes are not one complete frame with valid checksums</source>
+        <translation>diese Bytes sind kein vollständiger Rahmen mit gültigen Prüfsummen</translation>
+    </message>
+    <message>
+        <source>there is no command &apos;%1&apos;</source>
+        <translation>einen Befehl „%1“ gibt es nicht</translation>
+    </message>
+    <message>
+        <source>%1 is what the board sends</source>
+        <translation>%1 ist etwas, das das Board sendet</translation>
+    </message>
+    <message>
+        <source>%1 payload bytes, a frame holds 255</source>
+        <translation>%1 Nutzbytes, in einen Rahmen passen 255</translation>
+    </message>
+    <message>
+        <source>the board does not tell the size of its memory</source>
+        <translation>das Board meldet die Größe seines Speichers nicht</translation>
+    </message>
+    <message>
+        <source>this is the memory of another board (%1, firmware %2), with its calibrations and its licence; other=on writes it all the same</source>
+        <translation>dies ist der Speicher eines anderen Boards (%1, Firmware %2), mit dessen Kalibrierungen und Lizenz; other=on schreibt ihn trotzdem</translation>
+    </message>
+    <message>
+        <source>it was read from firmware %1, and nobody tells where %2 keeps what</source>
+        <translation>er wurde von Firmware %1 gelesen, und niemand sagt, wo %2 was ablegt</translation>
+    </message>
+    <message>
+        <source>from address %1 on the board holds other bytes than were written</source>
+        <translation>ab Adresse %1 hat das Board andere Bytes als die geschriebenen</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 bytes, the board&apos;s memory has %3</source>
+        <translation>%1 hat %2 Bytes, der Speicher des Boards hat %3</translation>
+    </message>
+    <message>
+        <source>%1 bytes were written before; the same again goes on from there</source>
+        <translation>%1 Bytes wurden vorher geschrieben; derselbe Aufruf macht dort weiter</translation>
+    </message>
+    <message>
+        <source>%1 has room for %2 bytes</source>
+        <translation>%1 hat Platz für %2 Bytes</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not name=value; the fields are %2</source>
+        <translation>„%1“ ist nicht Name=Wert; die Felder sind %2</translation>
+    </message>
+    <message>
+        <source>%1 is given twice</source>
+        <translation>%1 ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not within 0 .. %3</source>
+        <translation>%1: %2 liegt nicht zwischen 0 und %3</translation>
+    </message>
+    <message>
+        <source>%1: the length of a rotation is 1, not %2</source>
+        <translation>%1: die Länge einer Drehung ist 1, nicht %2</translation>
+    </message>
+    <message>
+        <source>there is no field &apos;%1&apos; here; the fields are %2</source>
+        <translation>ein Feld „%1“ gibt es hier nicht; die Felder sind %2</translation>
+    </message>
+    <message>
+        <source>a frame holds %1 payload bytes</source>
+        <translation>in einen Rahmen passen %1 Nutzbytes</translation>
+    </message>
+    <message>
+        <source>debug variable %1 has the unknown type %2</source>
+        <translation>Debugvariable %1 hat den unbekannten Typ %2</translation>
+    </message>
+    <message>
+        <source>%1: nothing has changed, and the board was not seen to calibrate</source>
+        <translation>%1: nichts hat sich geändert, und das Board hat nicht sichtbar kalibriert</translation>
+    </message>
+    <message>
+        <source>%1: nothing has changed, and the end was not confirmed</source>
+        <translation>%1: nichts hat sich geändert, und das Ende wurde nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>this firmware turns the motors by %1 at a speed of its own</source>
+        <translation>diese Firmware dreht die Motoren um %1 mit eigener Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>an angle and</source>
+        <translation>einen eigenen Winkel und</translation>
+    </message>
+    <message>
+        <source>this angle</source>
+        <translation>diesen Winkel</translation>
+    </message>
+    <message>
+        <source>this firmware takes the position of all motors at once</source>
+        <translation>diese Firmware nimmt die Stellung aller Motoren auf einmal</translation>
+    </message>
+    <message>
+        <source>the motor of %1 stands at %2°, as before</source>
+        <translation>der Motor von %1 steht auf %2°, wie vorher</translation>
+    </message>
+    <message>
+        <source>fc.map.roll and fc.map.pitch name no input that carries a flight controller&apos;s signal</source>
+        <translation>fc.map.roll und fc.map.pitch nennen keinen Eingang mit dem Signal eines Flugreglers</translation>
+    </message>
+    <message>
+        <source>the magnetometer repeats the same figures: they are not measured</source>
+        <translation>das Magnetometer wiederholt dieselben Zahlen: sie sind nicht gemessen</translation>
+    </message>
+    <message>
+        <source>the magnetometer has seen %1 of 8 directions: turn the camera over while it is calibrated</source>
+        <translation>das Magnetometer hat %1 von 8 Richtungen gesehen: die Kamera beim Kalibrieren in alle Richtungen drehen</translation>
+    </message>
+    <message>
+        <source>the heading is off by %1°, and was off by %2° before</source>
+        <translation>der Kurs liegt um %1° daneben, vorher um %2°</translation>
+    </message>
+    <message>
+        <source>it had begun on the board</source>
+        <translation>es hatte auf dem Board begonnen</translation>
+    </message>
+    <message>
+        <source>it had begun; what is stored now could not be read</source>
+        <translation>es hatte begonnen; was jetzt gespeichert ist, ließ sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>it had begun; what is stored is as before</source>
+        <translation>es hatte begonnen; gespeichert ist dasselbe wie vorher</translation>
+    </message>
+    <message>
+        <source>it had begun, and what is stored has changed</source>
+        <translation>es hatte begonnen, und das Gespeicherte hat sich geändert</translation>
+    </message>
+    <message>
+        <source>%1 of 8 directions were seen</source>
+        <translation>%1 von 8 Richtungen wurden gesehen</translation>
+    </message>
+    <message>
+        <source>no stream %1</source>
+        <translation>kein Datenstrom %1</translation>
+    </message>
+    <message>
+        <source>%1 samples/s, 0 to %2 are possible</source>
+        <translation>%1 Messwerte/s, möglich sind 0 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 without a channel that the board can send</source>
+        <translation>%1 ohne einen Kanal, den das Board senden kann</translation>
+    </message>
+    <message>
+        <source>%1 of %2 bytes, %3 fit into a frame</source>
+        <translation>%1 von %2 Bytes, in einen Rahmen passen %3</translation>
+    </message>
+    <message>
+        <source>this firmware has no streams; it is asked for each sample</source>
+        <translation>diese Firmware hat keine Datenströme; sie wird nach jedem Messwert gefragt</translation>
+    </message>
+    <message>
+        <source>%1=%2, allowed %3 to %4 µs, or 0 for the middle</source>
+        <translation>%1=%2, erlaubt sind %3 bis %4 µs, oder 0 für die Mitte</translation>
+    </message>
+    <message>
+        <source>sticks needs pitch=, roll= or yaw=</source>
+        <translation>sticks braucht pitch=, roll= oder yaw=</translation>
+    </message>
+    <message>
+        <source>%1 is off, so script %2 never runs; choose an input for it first</source>
+        <translation>%1 ist aus, darum läuft Skript %2 nie; zuerst einen Eingang dafür wählen</translation>
+    </message>
+    <message>
+        <source>a name has up to 16 letters, not %1</source>
+        <translation>ein Name hat bis zu 16 Buchstaben, nicht %1</translation>
+    </message>
+    <message>
+        <source>the board has no letter “%1” for its name</source>
+        <translation>das Board hat für seinen Namen keinen Buchstaben „%1“</translation>
+    </message>
+    <message>
+        <source>the board calls itself %1, not %2</source>
+        <translation>das Board nennt sich %1, nicht %2</translation>
+    </message>
+    <message>
+        <source>the board has not answered since it was told to restart</source>
+        <translation>das Board antwortet nicht, seit ihm der Neustart befohlen wurde</translation>
+    </message>
+    <message>
+        <source>the board has not restarted; its state is “%1”</source>
+        <translation>das Board hat nicht neu gestartet; sein Zustand ist „%1“</translation>
+    </message>
+    <message>
+        <source>nothing has changed, and these are no defaults: %1</source>
+        <translation>nichts hat sich geändert, und dies sind keine Vorgaben: %1</translation>
+    </message>
+    <message>
+        <source>still on auto: %1</source>
+        <translation>noch auf Automatik: %1</translation>
+    </message>
+    <message>
+        <source>word=%1, allowed 0 to %2</source>
+        <translation>word=%1, erlaubt sind 0 bis %2</translation>
+    </message>
+    <message>
+        <source>there is no sensor Imu%1</source>
+        <translation>einen Sensor Imu%1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>no further face lay still for %1 s</source>
+        <translation>keine weitere Seite lag %1 s lang still</translation>
+    </message>
+    <message>
+        <source>no sensor is like that: zeros %1 %2 %3, scales %4 %5 %6</source>
+        <translation>so ist kein Sensor: Nullpunkte %1 %2 %3, Maßstäbe %4 %5 %6</translation>
+    </message>
+    <message>
+        <source>%1 was written, %2 read</source>
+        <translation>%1 wurde geschrieben, %2 gelesen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;: the board does not know this command</source>
+        <translation>„%1“: das Board kennt diesen Befehl nicht</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;: the command arrived in pieces</source>
+        <translation>„%1“: der Befehl kam in Stücken an</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;: the command arrived damaged</source>
+        <translation>„%1“: der Befehl kam beschädigt an</translation>
+    </message>
+    <message>
+        <source>%1: the command arrived in pieces</source>
+        <translation>%1: der Befehl kam in Stücken an</translation>
+    </message>
+    <message>
+        <source>%1: the board does not know this command</source>
+        <translation>%1: das Board kennt diesen Befehl nicht</translation>
+    </message>
+    <message>
+        <source>%1: access denied</source>
+        <translation>%1: Zugriff verweigert</translation>
+    </message>
+    <message>
+        <source>%1: this firmware does not know it</source>
+        <translation>%1: diese Firmware kennt es nicht</translation>
+    </message>
+    <message>
+        <source>%1: the command arrived damaged</source>
+        <translation>%1: der Befehl kam beschädigt an</translation>
+    </message>
+    <message>
+        <source>%1: wrong length</source>
+        <translation>%1: falsche Länge</translation>
+    </message>
+    <message>
+        <source>%1: value out of range</source>
+        <translation>%1: Wert außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>another parameter than %1</source>
+        <translation>ein anderer Parameter als %1</translation>
+    </message>
+    <message>
+        <source>word %1: %2 was written, %3 read</source>
+        <translation>Wort %1: %2 wurde geschrieben, %3 gelesen</translation>
+    </message>
+    <message>
+        <source>scripts cannot be written while the heartbeat is on</source>
+        <translation>Skripte lassen sich nicht schreiben, solange der Herzschlag eingeschaltet ist</translation>
+    </message>
+    <message>
+        <source>only parameters with names can be saved in this file</source>
+        <translation>in dieser Datei lassen sich nur Parameter mit Namen sichern</translation>
+    </message>
+    <message>
+        <source>this board has no parameter %1, its last is %2; it would confirm the command and do nothing</source>
+        <translation>dieses Board hat keinen Parameter %1, sein letzter ist %2; es würde den Befehl bestätigen und nichts tun</translation>
+    </message>
+    <message>
+        <source>a name that this board does not know would set its first parameter, and its names are not known for certain: use PARAM_SET2 with the number</source>
+        <translation>ein Name, den dieses Board nicht kennt, würde seinen ersten Parameter setzen, und seine Namen sind nicht sicher bekannt: PARAM_SET2 mit der Nummer verwenden</translation>
+    </message>
+    <message>
+        <source>this board has no parameter &apos;%1&apos; and would set its first one</source>
+        <translation>dieses Board hat keinen Parameter „%1“ und würde seinen ersten setzen</translation>
+    </message>
+    <message>
+        <source>this board has no parameter %1 and would set its first one</source>
+        <translation>dieses Board hat keinen Parameter %1 und würde seinen ersten setzen</translation>
+    </message>
+    <message>
+        <source>after %1 come %2 bytes in hex</source>
+        <translation>nach %1 kommen %2 Bytes in Hex</translation>
+    </message>
+    <message>
+        <source>no live value %1</source>
+        <translation>kein Live-Wert %1</translation>
+    </message>
+    <message>
+        <source>the board is starting, with motors disabled; what is stored can be read once it works normally</source>
+        <translation>das Board startet, mit abgeschalteten Motoren; was gespeichert ist, lässt sich lesen, sobald es normal arbeitet</translation>
+    </message>
+    <message>
+        <source>the board does not go into standby</source>
+        <translation>das Board geht nicht in Bereitschaft</translation>
+    </message>
+    <message>
+        <source>the board answers no plain commands</source>
+        <translation>das Board antwortet auf keine einfachen Befehle</translation>
+    </message>
+    <message>
+        <source>the board confirms that it loads what is stored, and what was in use stays</source>
+        <translation>das Board bestätigt, dass es das Gespeicherte lädt, und was in Gebrauch war, bleibt</translation>
+    </message>
+    <message>
+        <source>the board is in standby</source>
+        <translation>das Board ist in Bereitschaft</translation>
+    </message>
+    <message>
+        <source>the board stays in standby</source>
+        <translation>das Board bleibt in Bereitschaft</translation>
+    </message>
+    <message>
+        <source>the board&apos;s memory is not known</source>
+        <translation>der Speicher des Boards ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>what is stored cannot be read while the heartbeat is on</source>
+        <translation>was gespeichert ist, lässt sich nicht lesen, solange der Herzschlag eingeschaltet ist</translation>
+    </message>
+    <message>
+        <source>%1 is %2 in use and %3 where it is stored</source>
+        <translation>%1 ist in Gebrauch %2 und gespeichert %3</translation>
+    </message>
+    <message>
+        <source>the board is starting; all motors can be stored as disabled once it works normally</source>
+        <translation>das Board startet; alle Motoren lassen sich als abgeschaltet speichern, sobald es normal arbeitet</translation>
+    </message>
+    <message>
+        <source>the sensor Imu%1 was lost</source>
+        <translation>der Sensor Imu%1 ging verloren</translation>
+    </message>
+    <message>
+        <source>the camera was not tilted 45° down, without roll, for one second</source>
+        <translation>die Kamera wurde nicht eine Sekunde lang um 45° nach unten geneigt, ohne Rollen</translation>
+    </message>
+    <message>
+        <source>no axis of the sensor pointed up for one second</source>
+        <translation>keine Achse des Sensors zeigte eine Sekunde lang nach oben</translation>
+    </message>
+    <message>
+        <source>there is no sensor</source>
+        <translation>es gibt keinen Sensor</translation>
+    </message>
+    <message>
+        <source>%1 errors on the sensor&apos;s bus: check its cable</source>
+        <translation>%1 Fehler auf dem Bus des Sensors: sein Kabel prüfen</translation>
+    </message>
+    <message>
+        <source>the motors are running; setup.motors_off disables them first</source>
+        <translation>die Motoren laufen; zuerst schaltet setup.motors_off sie ab</translation>
+    </message>
+    <message>
+        <source>these directions do not belong to a sensor</source>
+        <translation>diese Richtungen gehören zu keinem Sensor</translation>
+    </message>
+    <message>
+        <source>the battery is low</source>
+        <translation>der Akku ist schwach</translation>
+    </message>
+    <message>
+        <source>no battery was connected</source>
+        <translation>kein Akku wurde angeschlossen</translation>
+    </message>
+    <message>
+        <source>the board could not level: hold the camera still</source>
+        <translation>das Board konnte sich nicht ausrichten: die Kamera still halten</translation>
+    </message>
+    <message>
+        <source>the sensor was lost</source>
+        <translation>der Sensor ging verloren</translation>
+    </message>
+    <message>
+        <source>%1 errors on the sensor&apos;s bus</source>
+        <translation>%1 Fehler auf dem Bus des Sensors</translation>
+    </message>
+    <message>
+        <source>what was set up before the restart</source>
+        <translation>was vor dem Neustart eingerichtet wurde</translation>
+    </message>
+    <message>
+        <source>the board works normally, but has not restarted</source>
+        <translation>das Board arbeitet normal, hat aber nicht neu gestartet</translation>
+    </message>
+    <message>
+        <source>the board did not reach normal working</source>
+        <translation>das Board kam nicht zum normalen Arbeiten</translation>
+    </message>
+    <message>
+        <source>the direction of %1 is still on auto</source>
+        <translation>die Richtung von %1 steht noch auf Automatik</translation>
+    </message>
+    <message>
+        <source>magnets come in pairs: %1 is odd</source>
+        <translation>Magnete gibt es paarweise: %1 ist ungerade</translation>
+    </message>
+    <message>
+        <source>begin to align yaw first</source>
+        <translation>zuerst mit dem Ausrichten von Yaw beginnen</translation>
+    </message>
+    <message>
+        <source>the board is not in standby yet</source>
+        <translation>das Board ist noch nicht in Bereitschaft</translation>
+    </message>
+    <message>
+        <source>every motor is disabled: %1</source>
+        <translation>jeder Motor ist abgeschaltet: %1</translation>
+    </message>
+    <message>
+        <source>the board is starting; its motors start by themselves then</source>
+        <translation>das Board startet; seine Motoren starten dann von selbst</translation>
+    </message>
+    <message>
+        <source>no motor became active, though none is disabled</source>
+        <translation>kein Motor wurde aktiv, obwohl keiner abgeschaltet ist</translation>
+    </message>
+    <message>
+        <source>no motor became active; disabled are %1</source>
+        <translation>kein Motor wurde aktiv; abgeschaltet sind %1</translation>
+    </message>
+    <message>
+        <source>the motors are disabled in volatile memory; in use before: %1. Restart the board, or set these again, to use the motors, and store nothing before</source>
+        <translation>die Motoren sind im flüchtigen Speicher abgeschaltet; vorher in Gebrauch: %1. Das Board neu starten oder diese wieder setzen, um die Motoren zu benutzen, und vorher nichts speichern</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a stream; one looks like realtime4@100</source>
+        <translation>„%1“ ist kein Datenstrom; einer sieht aus wie realtime4@100</translation>
+    </message>
+    <message>
+        <source>no samples in this span of time</source>
+        <translation>keine Messwerte in dieser Zeitspanne</translation>
+    </message>
+    <message>
+        <source>too few samples to tell their rate</source>
+        <translation>zu wenige Messwerte, um ihre Rate zu nennen</translation>
+    </message>
+    <message>
+        <source>the option &apos;%1&apos; has no value</source>
+        <translation>die Option „%1“ hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>baud=%1 is not a rate between 300 and 4000000</source>
+        <translation>baud=%1 ist keine Rate zwischen 300 und 4000000</translation>
+    </message>
+    <message>
+        <source>parity=%1 is neither none nor even</source>
+        <translation>parity=%1 ist weder none noch even</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not %2://host:port</source>
+        <translation>„%1“ ist nicht %2://host:port</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not an address; use serial:/dev/ttyUSB0, tcp://host:port, udp://host:port, sim:simplebgc or replay:FILE</source>
+        <translation>„%1“ ist keine Adresse; gültig sind serial:/dev/ttyUSB0, tcp://host:port, udp://host:port, sim:simplebgc oder replay:DATEI</translation>
+    </message>
+    <message>
+        <source>an address of video is HOST:PORT, not &apos;%1&apos;</source>
+        <translation>eine Videoadresse ist HOST:PORT, nicht „%1“</translation>
+    </message>
+    <message>
+        <source>a port is 1 to 65535, not %1</source>
+        <translation>ein Port ist 1 bis 65535, nicht %1</translation>
+    </message>
+    <message>
+        <source>the host of the video is missing</source>
+        <translation>der Rechner des Videos fehlt</translation>
+    </message>
+    <message>
+        <source>the video module is missing or does not fit this program: %1</source>
+        <translation>das Videomodul fehlt oder passt nicht zu diesem Programm: %1</translation>
+    </message>
+    <message>
+        <source>no video is received</source>
+        <translation>kein Video wird empfangen</translation>
+    </message>
+    <message>
+        <source>a recording runs</source>
+        <translation>eine Aufnahme läuft</translation>
+    </message>
+    <message>
+        <source>the size of the pictures has changed</source>
+        <translation>die Größe der Bilder hat sich geändert</translation>
+    </message>
+    <message>
+        <source>the motors may run, or start yet</source>
+        <translation>die Motoren laufen vielleicht oder starten noch</translation>
+    </message>
+    <message>
+        <source>the board may have carried it out: the camera may be moving</source>
+        <translation>das Board hat es vielleicht ausgeführt: die Kamera bewegt sich vielleicht</translation>
+    </message>
+    <message>
+        <source>what was in use before is not in use again: %1</source>
+        <translation>was vorher in Gebrauch war, ist nicht wieder in Gebrauch: %1</translation>
+    </message>
+    <message>
+        <source>libav has no decoder for this video</source>
+        <translation>libav hat keinen Decoder für dieses Video</translation>
+    </message>
+    <message>
+        <source>a picture of another size</source>
+        <translation>ein Bild anderer Größe</translation>
+    </message>
+    <message>
+        <source>libav has no encoder for H.264 or JPEG</source>
+        <translation>libav hat keinen Encoder für H.264 oder JPEG</translation>
+    </message>
+    <message>
+        <source>no measurement</source>
+        <translation>keine Messung</translation>
+    </message>
+    <message>
+        <source>at no frequency does the axis follow the target clearly enough to tell</source>
+        <translation>bei keiner Frequenz folgt die Achse dem Ziel deutlich genug</translation>
+    </message>
+    <message>
+        <source>another board</source>
+        <translation>ein anderes Board</translation>
+    </message>
+    <message>
+        <source>this board has no command that switches its motors on</source>
+        <translation>dieses Board hat keinen Befehl, der seine Motoren einschaltet</translation>
+    </message>
+    <message>
+        <source>disconnect first</source>
+        <translation>zuerst trennen</translation>
+    </message>
+    <message>
+        <source>this board has one profile</source>
+        <translation>dieses Board hat ein Profil</translation>
+    </message>
+    <message>
+        <source>%1 bytes: %2</source>
+        <translation>%1 Bytes: %2</translation>
+    </message>
+    <message>
+        <source>for %1 add ?family=%2 to the address</source>
+        <translation>für %1 ?family=%2 an die Adresse anhängen</translation>
+    </message>
+    <message>
+        <source>the port %1 disappeared</source>
+        <translation>der Anschluss %1 ist verschwunden</translation>
+    </message>
+    <message>
+        <source>%1 = %2, allowed %3</source>
+        <translation>%1 = %2, erlaubt ist %3</translation>
+    </message>
+    <message>
+        <source>%1 = %2, allowed %3..%4</source>
+        <translation>%1 = %2, erlaubt ist %3..%4</translation>
+    </message>
+    <message>
+        <source>the board is armed</source>
+        <translation>das Board ist scharf</translation>
+    </message>
+    <message>
+        <source>the sensors are not calibrated</source>
+        <translation>die Sensoren sind nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>the motors are running</source>
+        <translation>die Motoren laufen</translation>
+    </message>
+    <message>
+        <source>whether the board is armed</source>
+        <translation>ob das Board scharf ist</translation>
+    </message>
+    <message>
+        <source>whether the sensors are calibrated</source>
+        <translation>ob die Sensoren kalibriert sind</translation>
+    </message>
+    <message>
+        <source>whether the motors are running</source>
+        <translation>ob die Motoren laufen</translation>
+    </message>
+    <message>
+        <source>%1 needs %2=...</source>
+        <translation>%1 braucht %2=...</translation>
+    </message>
+    <message>
+        <source>there is no %1</source>
+        <translation>%1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>%1; tried: %2</source>
+        <translation>%1; versucht: %2</translation>
+    </message>
+</context>
+<context>
     <name>ErrorText</name>
     <message>
         <source>Cancelled.</source>

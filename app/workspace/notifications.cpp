@@ -9,6 +9,7 @@
 #include "protocol/device/flight.h"
 #include "protocol/transport/replay.h"
 #include "widgets/models/boardtext.h"
+#include "widgets/models/detailtext.h"
 #include "widgets/models/numbertext.h"
 
 #include <QSysInfo>
@@ -154,7 +155,7 @@ void Notifications::report(const Error &error, Concern concern)
     if (m_client.address().isReplay() && error.code == ErrorCode::Timeout) {
         report({tr("The recording does not hold an answer to what the program asks."),
                 tr("It was not asked while this was recorded, or that part of the file is missing."),
-                tr("What the recording holds is shown all the same."), error.detail},
+                tr("What the recording holds is shown all the same."), detailText(error.detail)},
                concern);
         return;
     }

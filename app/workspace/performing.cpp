@@ -4,6 +4,7 @@
 #include "app/workspace/workspace.h"
 #include "protocol/base/linkloss.h"
 #include "protocol/configuration/aftermath.h"
+#include "widgets/models/detailtext.h"
 #include "widgets/models/errortext.h"
 #include "widgets/models/missingtext.h"
 #include "widgets/models/parametermodel.h"
@@ -161,7 +162,7 @@ void Workspace::offerPlace(const ActionSpec &action, const Error &error)
         {tr("“%1” is not possible with the text that the board has: %2. Nothing was changed. Mend the text "
             "there, "
             "write it, then try again.")
-             .arg(tableText(action.label), error.detail),
+             .arg(tableText(action.label), detailText(error.detail)),
          {{place.line > 0 ? tr("Open the text at line %1").arg(place.line) : tr("Open the text"),
            [this, place] { emit textWanted(place); }},
           {tr("Not now"), [] {}}},

@@ -6,6 +6,7 @@
 #include "protocol/procedure/wholewrite.h"
 #include "widgets/forms/panel.h"
 #include "widgets/forms/reviewdialog.h"
+#include "widgets/models/detailtext.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QPointer>
@@ -257,8 +258,8 @@ QFuture<bool> Workspace::askToStoreAll(const Error &untold, QWidget &over)
     const Stored stored = makeStored();
     // The detail begins with the key of the value that stands in the way.
     const ParameterSpec *spec = m_configuration.board().parameters().find(untold.detail.section(u' ', 0, 0));
-    const QString cause
-        = spec ? tr("%1 is stored otherwise than it is used").arg(parameterLabel(*spec)) : untold.detail;
+    const QString cause = spec ? tr("%1 is stored otherwise than it is used").arg(parameterLabel(*spec))
+                               : detailText(untold.detail);
     QDialog *panel = askInPanel(
         {tr("Store everything in use?"),
          tr("What is stored cannot be compared now, so values cannot be kept out: %1. The board stores "

@@ -235,12 +235,11 @@ Result<ActionReply> Actions::angle(const QVariantMap &arguments)
         if (away.isEmpty())
             return reply;
         if (m_channel.now() >= until || m_channel.now() - nearerAt > kRestingFor) {
-            return failure(ErrorCode::NotSeen,
-                           u"the camera did not get where it was steered to, %1%2"_s.arg(
-                               away.join(u"; "_s),
-                               isLimited
-                                   ? u"; the limits of the sticks may hold it back, which limited=off lifts"_s
-                                   : QString()));
+            return failure(
+                ErrorCode::NotSeen,
+                u"the camera did not get where it was steered to, %1"_s.arg(away.join(u"; "_s))
+                    + (isLimited ? u"; the limits of the sticks may hold it back, which limited=off lifts"_s
+                                 : QString()));
         }
         if (const auto slept = m_channel.sleep(kLookEvery); !slept)
             return tl::unexpected(slept.error());

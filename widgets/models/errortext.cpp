@@ -5,6 +5,7 @@
 #include "protocol/base/filefault.h"
 #include "protocol/configuration/aftermath.h"
 #include "protocol/configuration/writereport.h"
+#include "widgets/models/detailtext.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 
@@ -298,8 +299,8 @@ ErrorText describe(const Error &error)
     const auto words = [](const char *text) { return text ? Words::tr(text) : QString(); };
     if (error.file && error.code == ErrorCode::BadFile)
         return describe(*error.file);
-    ErrorText text{words(row.what), words(row.meaning), words(row.cure), withNumbers(error.detail),
-                   words(row.motors)};
+    ErrorText text{words(row.what), words(row.meaning), words(row.cure),
+                   withNumbers(detailText(error.detail)), words(row.motors)};
     if (error.file) {  // what the file prevented comes first, and what to do is about the file
         const ErrorText file = describe(*error.file);
         text.what += u' ' + file.what;

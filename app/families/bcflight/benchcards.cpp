@@ -8,6 +8,7 @@
 #include "protocol/bcflight/firmware.h"
 #include "protocol/client/whendone.h"
 #include "widgets/forms/keyboard.h"
+#include "widgets/models/detailtext.h"
 #include "widgets/models/errortext.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/views/elidedlabel.h"
@@ -279,7 +280,7 @@ void FirmwareCard::onDone(const Result<ActionOutcome> &outcome)
     const QString silent = tr("Its data stream stays silent until it is restarted: switch it off and on.");
     if (wasRestarting) {
         say(tr("✖ The drone was not seen to restart with the new firmware.") + u' '
-                + withNumbers(error.detail),
+                + withNumbers(detailText(error.detail)),
             "error");
     } else {
         say((error.code == ErrorCode::Cancelled
