@@ -88,8 +88,9 @@ void SimulatedBoard::loadDefaults(int profile)
     spec(u"imu.frame.position"_s)->write(blocks[Params3], kAboveYaw);
 }
 
-// As it comes out of its box: motors that nobody has told of, one of them the wrong way round, gains that
-// suit no camera in particular, thresholds of another battery.
+// As it comes out of its box: motors that nobody has told of, one of them the wrong way round, a sensor that
+// is told to sit as on the manufacturer's own gimbal (errata 3.4), gains that suit no camera in particular,
+// thresholds of another battery.
 void SimulatedBoard::unpack()
 {
     m_ram = m_eeprom[std::size_t(m_active)];
@@ -105,6 +106,8 @@ void SimulatedBoard::unpack()
     for (const Axis axis : kAxes)
         store(u"motor.%1.poles"_s.arg(QLatin1String(axisKey(axis))), 0, 22);
     store(u"motor.pitch.invert"_s, 0, 1);
+    store(u"imu.main.axis_top"_s, 0, -1);
+    store(u"imu.main.axis_right"_s, 0, 3);
     store(u"battery.alarm"_s, 0, 1400);
     store(u"battery.motors_off"_s, 0, -1200);
 }
@@ -219,6 +222,7 @@ void SimulatedBoard::applyParameters()
         m_stabilizer.setGains(axis, gains);
     }
     m_stabilizer.setGyroTrust(value(u"imu.gyro_trust"_s));
+    believeAxes();
 }
 
 // Board-wide values apply to all profiles: writing one changes the others too.
@@ -323,6 +327,8 @@ void SimulatedBoard::updateFaults()
     m_stabilizer.setPose(faults.pose);
     m_stabilizer.setHandOnCamera(Stabilizer::Hand(faults.hand));
     m_stabilizer.setSwappedMotors(faults.swappedAxes);
+    if (std::exchange(m_mount, faults.mount) != faults.mount)
+        believeAxes();
     for (std::size_t i = 0; i < kAxisCount; ++i) {
         m_stabilizer.plant(kAxes[i]).setBlocked(faults.blocked == int(i) + 1);
         m_stabilizer.plant(kAxes[i]).setImbalance(faults.imbalance / 100);

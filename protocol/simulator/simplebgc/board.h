@@ -129,6 +129,8 @@ private:
     // what it is equipped with (sensors.cpp)
     void fitSensors();
     void bootSensors();
+    void believeAxes();
+    [[nodiscard]] double ownAcc(std::size_t axis) const;
     void updateSensors();
     [[nodiscard]] bool isFitted(const char *option) const
     {
@@ -328,6 +330,7 @@ private:
         std::array<double, 3> high{};
     };
     MagCalibration m_magCalibration;
+    int m_mount = 0;
     int m_writesSeen = 0;
     bool m_otherClientDone = false;
     double m_resetDone = -1;  // the time of the last restart that the world made

@@ -79,7 +79,7 @@ QByteArray SimulatedBoard::realtime(bool extended) const
     ByteWriter writer;
     const bool isFrame = m_imu == kFrameImu;
     for (std::size_t i = 0; i < kAxisCount; ++i)
-        writer.i16(toCount16(isFrame ? m_frameRawAcc[i] - m_frameImu.accCorrection[i] : s.acc()[i], kAccUnit))
+        writer.i16(toCount16(isFrame ? m_frameRawAcc[i] - m_frameImu.accCorrection[i] : ownAcc(i), kAccUnit))
             .i16(toCount16(isFrame ? m_frameRawGyro[i] - m_frameImu.gyroCorrection[i] : s.gyro(kAxes[i]),
                            kGyroUnit));
     writer.u16(int(std::min<quint64>(m_serialErrors, 65535)))
@@ -160,8 +160,8 @@ QByteArray SimulatedBoard::realtimeCustom(quint32 flags) const
             writer.i16(-32768);  // no receiver
     }
     if (flags & 256) {
-        for (const double g : s.acc())
-            writer.i16(toCount16(g, kAccUnit));
+        for (std::size_t i = 0; i < kAxisCount; ++i)
+            writer.i16(toCount16(ownAcc(i), kAccUnit));
     }
     return writer.bytes(laterFields(flags & laterCustomFlags(m_options.firmware))).take();
 }

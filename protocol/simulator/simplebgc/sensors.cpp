@@ -45,9 +45,9 @@ double toHalfTurn(double degrees)
 
 double angleBetween(const std::array<double, 3> &a, const std::array<double, 3> &b)
 {
-    const double dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    const double product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     const double size = std::hypot(a[0], a[1], a[2]) * std::hypot(b[0], b[1], b[2]);
-    return size > 0 ? degrees(std::acos(std::clamp(dot / size, -1.0, 1.0))) : 0;
+    return size > 0 ? degrees(std::acos(std::clamp(product / size, -1.0, 1.0))) : 0;
 }
 
 // The axis of a sensor that a parameter names: 1 to 3 and their opposites.
@@ -57,6 +57,35 @@ std::array<double, 3> sensorAxis(int named)
     if (const int place = std::abs(named); place >= 1 && place <= 3)
         axis[std::size_t(place - 1)] = named > 0 ? 1 : -1;
     return axis;
+}
+
+std::array<double, 3> frontOf(const std::array<double, 3> &up, const std::array<double, 3> &right)
+{
+    return {up[1] * right[2] - up[2] * right[1], up[2] * right[0] - up[0] * right[2],
+            up[0] * right[1] - up[1] * right[0]};
+}
+
+double dot(const std::array<double, 3> &a, const std::array<double, 3> &b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// The sensor's axes that point to the camera's right, front and top.
+struct SensorSeat
+{
+    std::array<double, 3> right, front, up;
+};
+
+// As the fault "mount" counts them.
+SensorSeat seatOf(int mount)
+{
+    constexpr std::array kUp{3, 1, 2, -3, -1, -2};
+    const int up = kUp[std::size_t(mount / 4)];
+    const int next = std::abs(up) % 3 + 1;
+    const std::array rights{next, next % 3 + 1, -next, -(next % 3 + 1)};
+    const auto top = sensorAxis(up);
+    const auto right = sensorAxis(rights[std::size_t(mount % 4)]);
+    return {right, frontOf(top, right), top};
 }
 
 }  // namespace
@@ -96,6 +125,31 @@ void SimulatedBoard::bootSensors()
             m_emergencyCause = kEncoderMissing;
         }
     }
+}
+
+// The firmware takes the camera's sensor to sit as the parameters say; where they name no two axes, as it
+// took it before.
+void SimulatedBoard::believeAxes()
+{
+    const auto up = sensorAxis(int(value(u"imu.main.axis_top"_s)));
+    const auto right = sensorAxis(int(value(u"imu.main.axis_right"_s)));
+    const std::array<double, 3> front = frontOf(up, right);
+    if (std::hypot(front[0], front[1], front[2]) < 0.5)
+        return;
+    const SensorSeat seat = seatOf(m_options.faults.mount);
+    const auto row = [&seat](const std::array<double, 3> &own, int sign) {
+        return std::array{sign * int(dot(own, seat.front)), -sign * int(dot(own, seat.right)),
+                          sign * int(dot(own, seat.up))};
+    };
+    m_stabilizer.setBelievedAxes({row(front, 1), row(right, -1), row(up, 1)});
+}
+
+/// What the accelerometer measures along that axis of its own, in g.
+double SimulatedBoard::ownAcc(std::size_t axis) const
+{
+    const SensorSeat seat = seatOf(m_options.faults.mount);
+    return seat.right[axis] * m_stabilizer.calibratedAcc(0) + seat.front[axis] * m_stabilizer.calibratedAcc(1)
+        + seat.up[axis] * m_stabilizer.calibratedAcc(2);
 }
 
 bool SimulatedBoard::isRead(Axis axis) const
@@ -227,9 +281,7 @@ void SimulatedBoard::updateMagnetometer()
         return;
     const auto up = sensorAxis(int(value(u"imu.mag.axis_top"_s)));
     const auto right = sensorAxis(int(value(u"imu.mag.axis_right"_s)));
-    const std::array<double, 3> front{up[1] * right[2] - up[2] * right[1],
-                                      up[2] * right[0] - up[0] * right[2],
-                                      up[0] * right[1] - up[1] * right[0]};
+    const std::array<double, 3> front = frontOf(up, right);
     const auto along = [&seen](const std::array<double, 3> &axis) {
         return seen[0] * axis[0] + seen[1] * axis[1] + seen[2] * axis[2];
     };

@@ -75,11 +75,13 @@ const std::vector<Row> &rows()
         {"pose", 0, 7, "", "0 in the gimbal; 1-6 the camera lies still with Z, -Z, X, -X, Y, -Y up; 7 tilted 45 degrees down (a drone: 0 as it is, 1-7 in your "
          "hands: level, right side down, left, nose down, up, turned right, left)",
          [](Faults &f, double v) { f.pose = int(v); }},
-        {"hand", 0, 2, "simplebgc", "what a hand does with the camera in the gimbal: 0 nothing, 1 holds it level, 2 moves it to and fro as far as it goes",
+        {"hand", 0, 4, "simplebgc", "what a hand does with the camera in the gimbal: 0 nothing, 1 holds it level, 2 moves it to and fro as far as it goes, "
+         "3 tilts its nose down, 4 its right side",
          [](Faults &f, double v) { f.hand = int(v); }},
         {"imbalance", 0, 2000, "simplebgc", "how far off balance the camera is mounted, % of a usual one, 100 = usual",
          [](Faults &f, double v) { f.imbalance = v; }},
-        {"mount", 0, 23, "storm32", "how the sensor sits on the camera, as the board counts orientations",
+        {"mount", 0, 23, "simplebgc storm32", "how the sensor sits on the camera, as a STorM32 counts orientations; SimpleBGC: 4 times which of its "
+         "axes points up (0 to 5: Z X Y -Z -X -Y), and which of the others to the right (with Z: 0 to 3: X Y -X -Y)",
          [](Faults &f, double v) { f.mount = int(v); }},
         {"frame-mount", 0, 23, "storm32", "how the second sensor sits on the frame",
          [](Faults &f, double v) { f.frameMount = int(v); }},

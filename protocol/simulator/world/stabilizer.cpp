@@ -129,6 +129,7 @@ void Stabilizer::moveByHand()
 {
     constexpr std::array<double, kAxisCount> kReach{40, 85, 150};  // degrees
     constexpr double kPeriod = 6;  // seconds
+    constexpr double kTilt = 40;
     constexpr double kFastest = 180;  // deg/s
     m_moved += kCycle;
     const auto turn = std::size_t(std::fmod(m_moved / kPeriod, double(kAxisCount)));
@@ -137,6 +138,10 @@ void Stabilizer::moveByHand()
         double wanted = 0;
         if (m_handOnCamera == Hand::Moves && i == turn)
             wanted = kReach[i] * std::sin(2 * std::numbers::pi * std::fmod(m_moved, kPeriod) / kPeriod);
+        else if (m_handOnCamera == Hand::NoseDown && kAxes[i] == Axis::Pitch)
+            wanted = kTilt;
+        else if (m_handOnCamera == Hand::RightDown && kAxes[i] == Axis::Roll)
+            wanted = -kTilt;
         const double step = std::clamp(wanted - plant.trueAngle(), -kFastest * kCycle, kFastest * kCycle);
         plant.setMotion(plant.trueAngle() + step, step / kCycle);
     }
@@ -154,6 +159,7 @@ void Stabilizer::resetEstimate()
         axis.estimate = axis.plant.angle();
         axis.integral = 0.0;
     }
+    m_believesAnew = m_believed != kAsMounted;
 }
 
 void Stabilizer::step()
@@ -256,7 +262,7 @@ void Stabilizer::updateEstimate()
 // the accelerometer; rotation is positive to the left about forward, down about left, to the right about up.
 void Stabilizer::misjudge()
 {
-    if (m_believed == Rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}})
+    if (m_believed == kAsMounted)
         return;
     const auto turned = [this](const std::array<double, 3> &v) {
         std::array<double, 3> result{};

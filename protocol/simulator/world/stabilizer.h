@@ -71,7 +71,7 @@ public:
     void setPose(int pose);
     [[nodiscard]] int pose() const { return m_pose; }
     /// What a hand does with the camera in the gimbal.
-    enum class Hand { None, HoldsLevel, Moves };
+    enum class Hand { None, HoldsLevel, Moves, NoseDown, RightDown };
     void setHandOnCamera(Hand hand);
     /// True gravity, in g, in the camera's axes right, forward and up.
     [[nodiscard]] const std::array<double, kAxisCount> &gravity() const { return m_gravity; }
@@ -103,6 +103,11 @@ public:
     [[nodiscard]] double rawGyro(Axis axis) const { return m_axes[index(axis)].rawGyro; }
     /// Accelerometer, x y z in g, with calibration applied.
     [[nodiscard]] const std::array<double, kAxisCount> &acc() const { return m_acc; }
+    /// The same to the camera's right, forward and up, wherever the firmware takes those to be.
+    [[nodiscard]] double calibratedAcc(std::size_t axis) const
+    {
+        return m_imuPresent ? (m_rawAcc[axis] - m_imu.accCorrection[axis]) / m_imu.accScale[axis] : 0.0;
+    }
     /// Motor effort 0..1 of full power.
     [[nodiscard]] double effort(Axis axis) const { return m_axes[index(axis)].effort; }
     [[nodiscard]] double torque(Axis axis) const { return m_axes[index(axis)].torque; }
@@ -111,7 +116,7 @@ public:
     HandShake &hand() { return m_hand; }
     [[nodiscard]] const HandShake &hand() const { return m_hand; }
     AxisPlant &plant(Axis axis) { return m_axes[index(axis)].plant; }
-    /// Sets the estimate to the true attitude, as the board does at start-up.
+    /// Sets the estimate to the attitude that is measured, as the board does at start-up.
     void resetEstimate();
 
 private:
@@ -151,7 +156,8 @@ private:
     std::array<double, kAxisCount> m_gravity{0, 0, 1};
     std::array<double, kAxisCount> m_acc{0, 0, 1};
     std::array<double, kAxisCount> m_rawAcc{0, 0, 1};
-    Rotation m_believed{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    static constexpr Rotation kAsMounted{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    Rotation m_believed = kAsMounted;
     bool m_believesAnew = false;
     double m_gyroTrust = 120;
     double m_voltage = 12.3;
