@@ -21,6 +21,10 @@ struct SetupKeys
 {
     QString batteryAlarm;  ///< V
     QString batteryOff;  ///< V below which motors are switched off
+    /// The sensor's axis that points up, and the one that points right: 1 to 3 for X to Z, negative for the
+    /// opposite.
+    QString axisUp;
+    QString axisRight;
     QString poles;
     QString inverted;
     QString lowest;  ///< degrees that steering reaches

@@ -64,7 +64,7 @@ SetupGuide::SetupGuide(Channel &channel, Device &device, const TelemetryStore &t
 QList<int> SetupGuide::channels(const Device &device)
 {
     const ChannelRoles roles = rolesOf(device);
-    QList<int> all = ChannelRoles::present({roles.angle, roles.target, roles.gyro});
+    QList<int> all = ChannelRoles::present({roles.angle, roles.target, roles.gyro, roles.acc});
     for (const int channel : {roles.battery, roles.outputs}) {
         if (channel >= 0)
             all.append(channel);
@@ -86,6 +86,7 @@ Result<SetupResult> SetupGuide::run(SetupStep step, const QVariantMap &answers, 
         result = calibrate(m_keys.calibrateGyro, u"gyro.bias"_s, u"bias"_s, kGoodBias, kUsableBias,
                            areMotorsKnown);
         break;
+    case SetupStep::Orientation: result = orientation(); break;
     case SetupStep::Level:
         result = calibrate(m_keys.calibrateLevel, u"acc.error"_s, u"acc"_s, kGoodLevel, kUsableLevel,
                            areMotorsKnown);
@@ -135,6 +136,17 @@ Result<void> SetupGuide::awaitNews(const QList<int> &channels)
     }
 }
 
+Result<void> SetupGuide::letPass()
+{
+    if (const auto slept = m_channel.sleep(kMoment); !slept)
+        return slept;
+    const QList<int> all = channels(m_device);
+    const bool isThere = std::any_of(all.begin(), all.end(), [this](int channel) {
+        return m_channel.now() - m_telemetry.latestAt(channel) < kNews;
+    });
+    return isThere ? Result<void>() : failure(ErrorCode::NoSamples);
+}
+
 Result<void> SetupGuide::watch(double seconds, const std::function<Result<void>()> &each, const QString &step)
 {
     const TimePoint began = m_channel.now();
@@ -143,8 +155,8 @@ Result<void> SetupGuide::watch(double seconds, const std::function<Result<void>(
         if (gone >= seconds)
             return {};
         tell(step, gone / seconds);
-        if (const auto slept = m_channel.sleep(kMoment); !slept)
-            return slept;
+        if (const auto passed = letPass(); !passed)
+            return passed;
         if (const auto goesOn = each(); !goesOn)
             return goesOn;
     }
@@ -182,6 +194,13 @@ void SetupGuide::list(const Configuration &base, const Configuration &edited, Se
 
 Result<void> SetupGuide::write(const Configuration &base, const Configuration &edited, SetupResult &result)
 {
+    const Unbroken unbroken(m_channel);
+    return writeUnbroken(base, edited, result);
+}
+
+Result<void> SetupGuide::writeUnbroken(const Configuration &base, const Configuration &edited,
+                                       SetupResult &result)
+{
     const auto report
         = writeConfiguration(m_channel, m_device, base, edited, {.history = &m_history, .live = m_live});
     if (!report)
@@ -191,6 +210,34 @@ Result<void> SetupGuide::write(const Configuration &base, const Configuration &e
         return tl::unexpected(*report->error);
     list(base, edited, result);
     return {};
+}
+
+// What somebody else has changed meanwhile is none of the step's business.
+Result<void> SetupGuide::takeBack(const QStringList &patterns, const Configuration &base, SetupResult &result)
+{
+    const Unbroken unbroken(m_channel);
+    const auto now = m_device.readConfiguration(m_channel);
+    if (!now)
+        return tl::unexpected(now.error());
+    Configuration back = *now;
+    for (const QString &pattern : patterns) {
+        for (const Axis axis : kAxes) {
+            const bool isOfAxis = pattern.contains(u'%');
+            const ParameterSpec *spec = find(pattern, isOfAxis ? axis : Axis::None);
+            if (const auto copied = spec ? back.copyRaw(*spec, now->activeProfile(), base) : Result<void>();
+                !copied)
+                return tl::unexpected(copied.error());
+        }
+    }
+    return now->changesTo(back).empty() ? Result<void>() : writeUnbroken(*now, back, result);
+}
+
+Error SetupGuide::takenBack(const QStringList &patterns, const Configuration &base, const Error &why)
+{
+    SetupResult undone;
+    if (takeBack(patterns, base, undone))
+        return why;
+    return {ErrorCode::NotRestored, u"%1; the copy made before has the old values"_s.arg(why.detail)};
 }
 
 Result<void> SetupGuide::requireMotors()
@@ -329,8 +376,8 @@ Result<SetupResult> SetupGuide::balance()
         else if (!level)
             level = m_channel.now();
         tell(u"setup-hold"_s, gone / kHoldPatience);
-        if (const auto slept = m_channel.sleep(kMoment); !slept)
-            return tl::unexpected(slept.error());
+        if (const auto passed = letPass(); !passed)
+            return tl::unexpected(passed.error());
     }
     const Figures start{latest(m_roles.angle[0]), latest(m_roles.angle[1]), 0};
     Figures swing{};

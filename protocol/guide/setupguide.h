@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/analysis/spectrum.h"
+#include "protocol/base/vector3.h"
 #include "protocol/configuration/livevalues.h"
 #include "protocol/guide/setuprecord.h"
 #include "protocol/record/boardhistory.h"
@@ -12,9 +13,9 @@
 class Channel;
 
 /// Carries out one step at a time on the worker, the same for the window and for the command line. Where a
-/// person has to do something meanwhile, it is told by progress ("setup-hold", "setup-let-go", "setup-move"),
-/// and the step waits for what it sees. Whatever is written goes the way of every write: with a safety copy,
-/// read back and compared.
+/// person has to do something meanwhile, it is told by progress ("setup-hold", "setup-let-go", "setup-move",
+/// "setup-tilt-..."), and the step waits for what it sees. Whatever is written goes the way of every write:
+/// with a safety copy, read back and compared.
 class SetupGuide
 {
 public:
@@ -39,6 +40,7 @@ private:
     Result<SetupResult> power(const QVariantMap &answers);
     Result<SetupResult> calibrate(const QString &action, const QString &part, const QString &figure,
                                   double good, double usable, bool areMotorsKnown);
+    Result<SetupResult> orientation();
     Result<SetupResult> balance();
     Result<SetupResult> motors();
     Result<SetupResult> gains();
@@ -52,6 +54,8 @@ private:
     Result<void> awaitNews(const QList<int> &channels);
     /// The mean over that time. Errors: Unready.
     Result<double> average(int channel, double seconds);
+    /// Lets a moment pass. Errors: Cancelled, LinkClosed, NoSamples (live data do not come any more).
+    Result<void> letPass();
     /// Watches for that time; `each` sees every moment and ends it by an error.
     Result<void> watch(double seconds, const std::function<Result<void>()> &each, const QString &step);
     /// Lets that time pass. @return from when to when, in seconds since the origin of the store
@@ -59,6 +63,15 @@ private:
     /// How far angles are from their targets, RMS.
     Result<Figures> measureHolding();
     void tell(const QString &step, double share);
+    /// Which way is up, in the axes of the sensor; in no particular unit.
+    [[nodiscard]] Vector3 upward() const;
+    /// Waits until the camera is held so and still. @return which way is up then, as a unit vector.
+    /// Errors: ConditionUnmet.
+    Result<Vector3> awaitPose(const QString &step, const std::function<bool(const Vector3 &)> &isThere);
+    /// Has the camera held level, or with its nose down. @return whether the board says so, too
+    Result<bool> areAnglesThose(const QString &step, const Vector3 &level, bool isDown);
+    /// The same for both, one after the other.
+    Result<bool> doAnglesFollow(const Vector3 &level);
     /// Lines of the turn rates that may be worth a notch.
     using Lines = std::vector<std::pair<Axis, SpectrumPeak>>;
     Result<Lines> measureLines(SetupResult &result);
@@ -68,8 +81,14 @@ private:
     // What is done.
     Result<void> switchOff();
     Result<void> requireMotors();
-    /// Writes the difference, verified; lists it in the result.
+    /// Writes the difference, verified; lists it in the result. A cancel waits until it is written.
     Result<void> write(const Configuration &base, const Configuration &edited, SetupResult &result);
+    Result<void> writeUnbroken(const Configuration &base, const Configuration &edited, SetupResult &result);
+    /// What the step has changed of these parameters is written back, even after a cancel.
+    Result<void> takeBack(const QStringList &patterns, const Configuration &base, SetupResult &result);
+    /// The same where the step ends with an error. @return that; NotRestored if the board holds the new
+    /// values
+    Error takenBack(const QStringList &patterns, const Configuration &base, const Error &why);
     static void list(const Configuration &base, const Configuration &edited, SetupResult &result);
     [[nodiscard]] const ParameterSpec *find(const QString &key, Axis axis = Axis::None) const;
 

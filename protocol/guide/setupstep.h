@@ -11,6 +11,7 @@ class Device;
 enum class SetupStep : std::uint8_t {
     Power,
     Gyroscope,
+    Orientation,
     Level,
     Balance,
     Motors,
@@ -19,7 +20,7 @@ enum class SetupStep : std::uint8_t {
     Limits,
     Use
 };
-inline constexpr std::size_t kSetupSteps = 9;
+inline constexpr std::size_t kSetupSteps = 10;
 
 /// A step: what it is called, what it needs and does, and what it asks.
 struct SetupStepSpec

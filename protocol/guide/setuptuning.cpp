@@ -126,19 +126,9 @@ Result<SetupResult> SetupGuide::gains()
         }
         return result;
     }
-    // What somebody else has changed meanwhile is none of this step's business.
-    Configuration back = *now;
-    for (const QString &pattern : m_keys.gains) {
-        for (const Axis axis : kAxes) {
-            if (const ParameterSpec *spec = find(pattern, axis)) {
-                if (const auto copied = back.copyRaw(*spec, now->activeProfile(), *base); !copied)
-                    return tl::unexpected(copied.error());
-            }
-        }
-    }
     SetupResult undone = result;
     undone.changes.clear();
-    const auto written = write(*now, back, undone);
+    const auto written = takeBack(m_keys.gains, *base, undone);
     undone.state = SetupResult::State::Poor;
     undone.remarks = QStringList{written ? u"gains.takenback"_s : u"gains.worse"_s};
     if (!written)

@@ -45,6 +45,8 @@ SetupKeys Device::setupKeys() const
 {
     return {.batteryAlarm = u"battery.alarm"_s,
             .batteryOff = u"battery.motors_off"_s,
+            .axisUp = u"imu.main.axis_top"_s,
+            .axisRight = u"imu.main.axis_right"_s,
             .poles = u"motor.%1.poles"_s,
             .inverted = u"motor.%1.invert"_s,
             .lowest = u"rc.%1.min_angle"_s,

@@ -55,9 +55,36 @@ void TestCtlSetup::anUnpackedGimbalIsTuned()
                      qPrintable(run.err));
         return fits;
     };
+    // It runs wild, as its sensor sits otherwise than it is told.
     world("hand=1");
+    ++commands;
+    QCOMPARE(Running(m_dir->path(), {u"--link"_s, link, u"motors"_s, u"off"_s}).finish().exitCode, 0);
     QVERIFY(step({u"power"_s}, u"done"_s));
     QVERIFY(step({u"gyroscope"_s, u"--confirmed"_s}, u"done"_s));
+    // Tilts it as it is told to.
+    Running tilting(m_dir->path(),
+                    {u"--link"_s, link, u"--json"_s, u"setup"_s, u"orientation"_s, u"--confirmed"_s});
+    ++commands;
+    const auto lastTold = [&tilting] {
+        const QString told = tilting.told();
+        const std::array places{told.lastIndexOf(u"Hold the camera level"_s),
+                                told.lastIndexOf(u"Tilt the nose"_s), told.lastIndexOf(u"Tilt the right"_s)};
+        return int(std::max_element(places.begin(), places.end()) - places.begin());
+    };
+    constexpr std::array kHands{"hand=1", "hand=3", "hand=4"};
+    int now = -1;
+    const bool isOver = QTest::qWaitFor(
+        [&] {
+            if (const int told = lastTold(); std::exchange(now, told) != told)
+                world(kHands[std::size_t(told)]);
+            return !tilting.isRunning();
+        },
+        4 * kPatience);
+    QVERIFY2(isOver, qPrintable(tilting.told()));
+    const Run tilted = tilting.finish();
+    QVERIFY2(tilted.exitCode == 0 && tilted.out.contains(u"orientation.set"_s),
+             qPrintable(tilted.out + tilted.err));
+    world("hand=1");
     QVERIFY(step({u"level"_s, u"--confirmed"_s}, u"done"_s));
     // Lets go when it is told to.
     const auto balance = [&] {

@@ -46,6 +46,7 @@ public:
 
     [[nodiscard]] QString printed() const { return text(m_out); }
     [[nodiscard]] QString told() const { return text(m_err); }
+    [[nodiscard]] bool isRunning() const { return m_process.state() != QProcess::NotRunning; }
     [[nodiscard]] qint64 id() const { return m_process.processId(); }
     /// From one moment to the next, without a farewell.
     void kill()

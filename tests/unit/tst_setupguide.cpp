@@ -32,6 +32,12 @@ struct Bench
         board.channel.setOperator([this](const Progress &progress) {
             if (progress.step == u"setup-let-go"_s)
                 hand(0);
+            else if (progress.step == u"setup-tilt-level"_s)
+                hand(1);
+            else if (progress.step == u"setup-tilt-down"_s)
+                hand(3);
+            else if (progress.step == u"setup-tilt-right"_s)
+                hand(4);
         });
         record = SetupRecord(board.device.identity());
     }
@@ -44,6 +50,12 @@ struct Bench
             options.faults.imbalance = 500;
         }
         return options;
+    }
+    /// The step "orientation" is behind it.
+    void knowSensor()
+    {
+        board.board().store(u"imu.main.axis_top"_s, 0, 3);
+        board.board().store(u"imu.main.axis_right"_s, 0, 1);
     }
     void hand(int what) { world(u"hand=%1"_s.arg(what)); }
     void world(const QString &assignment)
@@ -94,6 +106,9 @@ private slots:
     void batteryIsAskedFor_data();
     void batteryIsAskedFor();
     void aStillCameraIsNeeded();
+    void theSensorsSeatIsFound_data();
+    void theSensorsSeatIsFound();
+    void aWrongTiltIsTold();
     void whatIsNotHeldLevelIsNotMeasured();
     void motorsThatRunAwayAreStopped();
     void worseGainsAreTakenBack();
@@ -129,6 +144,13 @@ void TestSetupGuide::anUnpackedGimbalIsTuned()
     QVERIFY(!bench.board.board().stabilizer().motorsOn());  // what nobody knows does not hold the camera
     QVERIFY(result->remarks.contains(u"motors.off"_s));
     QVERIFY(*result->figure(u"bias"_s) < 0.1 && *result->figures[0].before > 1);
+    result = bench.run("orientation");
+    QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
+    QCOMPARE(result->remarks, QStringList({u"up.z"_s, u"right.x"_s, u"orientation.set"_s}));
+    QCOMPARE(bench.stored(u"imu.main.axis_top"_s), 3);
+    QCOMPARE(bench.stored(u"imu.main.axis_right"_s), 1);
+    QVERIFY(!result->snapshot.isEmpty());
+    bench.hand(1);
     result = bench.run("level");
     QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
 
@@ -222,9 +244,62 @@ void TestSetupGuide::aStillCameraIsNeeded()
     QCOMPARE(bench.record.result(SetupStep::Gyroscope).state, State::Open);
 }
 
+void TestSetupGuide::theSensorsSeatIsFound_data()
+{
+    QTest::addColumn<int>("mount");
+    QTest::addColumn<int>("up");
+    QTest::addColumn<int>("right");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("as the board takes it") << 0 << 3 << 1 << u"up.z right.x orientation.fits"_s;
+    QTest::newRow("turned half round") << 2 << 3 << -1 << u"up.z right.-x orientation.set"_s;
+    QTest::newRow("turned by a quarter") << 1 << 3 << 2 << u"up.z right.y orientation.set"_s;
+    QTest::newRow("upside down") << 12 << -3 << 1 << u"up.-z right.x orientation.set"_s;
+    QTest::newRow("on its side") << 4 << 1 << 2 << u"up.x right.y orientation.set"_s;
+    QTest::newRow("on its edge") << 23 << -2 << -1 << u"up.-y right.-x orientation.set"_s;
+    QTest::newRow("on its head") << 18 << -1 << -2 << u"up.-x right.-y orientation.set"_s;
+    QTest::newRow("on its end") << 8 << 2 << 3 << u"up.y right.z orientation.set"_s;
+}
+
+// Whatever the board took it for before.
+void TestSetupGuide::theSensorsSeatIsFound()
+{
+    QFETCH(int, mount);
+    QFETCH(int, up);
+    QFETCH(int, right);
+    QFETCH(QString, words);
+    Faults faults;
+    faults.mount = mount;
+    Bench bench(false, faults);
+    const auto result = bench.run("orientation");
+    QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
+    QCOMPARE(result->remarks.join(u' '), words);
+    QCOMPARE(bench.stored(u"imu.main.axis_top"_s), up);
+    QCOMPARE(bench.stored(u"imu.main.axis_right"_s), right);
+    QCOMPARE(result->changes.isEmpty(), mount == 0);
+    QVERIFY(!bench.board.board().stabilizer().motorsOn());
+    const auto again = bench.run("orientation");
+    QVERIFY2(again && again->remarks.contains(u"orientation.fits"_s), qPrintable(why(again)));
+}
+
+// Left instead of right: with one of two tilts wrong, they contradict each other.
+void TestSetupGuide::aWrongTiltIsTold()
+{
+    Bench bench;
+    bench.board.channel.setOperator([&bench](const Progress &progress) {
+        bench.hand(progress.step == u"setup-tilt-down"_s        ? 4
+                       : progress.step == u"setup-tilt-right"_s ? 3
+                                                                : 1);
+    });
+    const auto result = bench.run("orientation");
+    QVERIFY2(!result && result.error().code == ErrorCode::ConditionUnmet, qPrintable(why(result)));
+    QVERIFY2(result.error().detail.contains(u"the other way"_s), qPrintable(result.error().detail));
+    QCOMPARE(bench.stored(u"imu.main.axis_top"_s), -1);
+}
+
 void TestSetupGuide::whatIsNotHeldLevelIsNotMeasured()
 {
     Bench bench;  // falls as soon as its motors are off
+    bench.knowSensor();
     const auto result = bench.run("balance");
     QVERIFY(!result);
     QCOMPARE(result.error().code, ErrorCode::ConditionUnmet);
@@ -237,6 +312,7 @@ void TestSetupGuide::motorsThatRunAwayAreStopped()
     Faults faults;
     faults.swappedAxes = true;
     Bench bench(true, faults);
+    bench.knowSensor();
     bench.world(u"imbalance=100"_s);
     const auto result = bench.run("motors");
     QVERIFY2(!result && result.error().code == ErrorCode::Diverged, qPrintable(why(result)));
@@ -328,7 +404,7 @@ void TestSetupGuide::aRecordIsKept()
     const auto again = SetupRecord::load(path, bench.board.device.identity());
     QVERIFY(again);
     QCOMPARE(again->toJson(), bench.record.toJson());
-    QCOMPARE(again->next(stepsOf(bench.board.device)), std::optional(SetupStep::Level));
+    QCOMPARE(again->next(stepsOf(bench.board.device)), std::optional(SetupStep::Orientation));
     // Another board begins at the beginning.
     const auto other = SetupRecord::load(bench.history.setupFile(u"abc"_s), {});
     QVERIFY(other && other->next(stepsOf(bench.board.device)) == SetupStep::Power);
@@ -369,6 +445,7 @@ void TestSetupGuide::whatTheBoardNoLongerHoldsIsSaid()
 void TestSetupGuide::whoDoesNotLetGoIsTold()
 {
     Bench bench;
+    bench.knowSensor();
     bench.hand(1);
     bench.board.channel.setOperator([](const Progress &) {});
     const auto result = bench.run("balance");

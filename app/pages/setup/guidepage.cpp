@@ -87,6 +87,8 @@ GuidePage::GuidePage(Workspace &workspace, QWidget *parent)
     m_hands->add(u"hand"_s, tr("What the hand does with the camera"),
                  {{tr("camera: let go"), 0},
                   {tr("camera: held level"), 1},
+                  {tr("camera: right side down"), 4},
+                  {tr("camera: nose down"), 3},
                   {tr("camera: moved as far as it goes"), 2}});
     m_hands->add(u"shake"_s, tr("Where the frame is"),
                  {{tr("frame: in your hand"), 1}, {tr("frame: on a stand"), 0}}, 1);
