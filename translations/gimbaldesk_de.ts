@@ -721,6 +721,24 @@
         <source>No new live data for more than %1 s while it is steered.</source>
         <translation>Seit mehr als %1 s keine neuen Live-Daten, während gesteuert wird.</translation>
     </message>
+    <message>
+        <source>The battery&apos;s voltage of %1 V is below the alarm of %2 V that is set in the board.</source>
+        <translation>Die Akkuspannung von %1 V liegt unter der Alarmschwelle von %2 V, die im Board eingestellt ist.</translation>
+    </message>
+    <message numerus="yes">
+        <source>By its voltage it has %n cell(s) of %1 V, which are not low: the alarm is meant for a battery with more cells. If it has more, it is nearly empty.</source>
+        <translation>
+            <numerusform>Nach seiner Spannung hat er %n Zelle mit %1 V, die nicht schwach ist: die Alarmschwelle ist für einen Akku mit mehr Zellen gedacht. Hat er mehr, ist er fast leer.</numerusform>
+            <numerusform>Nach seiner Spannung hat er %n Zellen mit %1 V, die nicht schwach sind: die Alarmschwelle ist für einen Akku mit mehr Zellen gedacht. Hat er mehr, ist er fast leer.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Count its cells: if it has %n, correct the battery&apos;s alarm in the board; if it has more, change it.</source>
+        <translation>
+            <numerusform>Seine Zellen zählen: hat er %n, die Alarmschwelle des Akkus im Board berichtigen; hat er mehr, ihn wechseln.</numerusform>
+            <numerusform>Seine Zellen zählen: hat er %n, die Alarmschwelle des Akkus im Board berichtigen; hat er mehr, ihn wechseln.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ArgumentForm</name>
@@ -1294,6 +1312,17 @@
     <message>
         <source>%1 V</source>
         <translation>%1 V</translation>
+    </message>
+    <message>
+        <source>⚠ below the alarm</source>
+        <translation>⚠ unter der Alarmschwelle</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cell(s) as the board counts, %1 V each</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4449,6 +4478,22 @@
         <source>%1; tried: %2</source>
         <translation>%1; versucht: %2</translation>
     </message>
+    <message>
+        <source>the transmitter has %1 steps of power</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motors are turned over UDP only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no answer came; whether the camera has switched is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scale of a gain in the text is %1, which gives no number</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ErrorText</name>
@@ -5317,6 +5362,18 @@
     <message>
         <source>Take your hands off the camera, keep them beneath it, and tip it lightly</source>
         <translation>Nehmen Sie die Hände von der Kamera, halten Sie sie darunter, und tippen Sie die Kamera leicht an</translation>
+    </message>
+    <message>
+        <source>Hold the camera level and still, until you are asked for something else</source>
+        <translation>Die Kamera waagerecht und still halten, bis etwas anderes verlangt wird</translation>
+    </message>
+    <message>
+        <source>Tilt the right side of the camera down by about 45° and hold it there</source>
+        <translation>Die rechte Seite der Kamera um etwa 45° nach unten neigen und so halten</translation>
+    </message>
+    <message>
+        <source>Tilt the nose of the camera down by about 45° and hold it there</source>
+        <translation>Die Nase der Kamera um etwa 45° nach unten neigen und so halten</translation>
     </message>
 </context>
 <context>
@@ -6795,6 +6852,14 @@
     <message>
         <source>“%1” was cancelled: its page was left.</source>
         <translation>„%1“ wurde abgebrochen: die Seite wurde verlassen.</translation>
+    </message>
+    <message>
+        <source>camera: right side down</source>
+        <translation>Kamera: rechte Seite nach unten</translation>
+    </message>
+    <message>
+        <source>camera: nose down</source>
+        <translation>Kamera: Nase nach unten</translation>
     </message>
 </context>
 <context>
@@ -11578,14 +11643,6 @@ Spitze %2°</translation>
         <translation>Akku</translation>
     </message>
     <message>
-        <source>Battery is empty</source>
-        <translation>Akku ist leer</translation>
-    </message>
-    <message>
-        <source>Battery is low</source>
-        <translation>Akku ist schwach</translation>
-    </message>
-    <message>
         <source>Battery voltage at which the alarm sounds; negative = off.</source>
         <translation>Akkuspannung, bei der Alarm ertönt; negativ = aus.</translation>
     </message>
@@ -11768,14 +11825,6 @@ Spitze %2°</translation>
     <message>
         <source>Center yaw, shortest way</source>
         <translation>Yaw zentrieren, kürzester Weg</translation>
-    </message>
-    <message>
-        <source>Change the battery soon.</source>
-        <translation>Wechseln Sie bald den Akku.</translation>
-    </message>
-    <message>
-        <source>Change the battery.</source>
-        <translation>Wechseln Sie den Akku.</translation>
     </message>
     <message>
         <source>Check the cable and its ground.</source>
@@ -14452,10 +14501,6 @@ Spitze %2°</translation>
     <message>
         <source>Tells the board the true battery voltage.</source>
         <translation>Sagt dem Board die wahre Akkuspannung.</translation>
-    </message>
-    <message>
-        <source>The alarm threshold is reached.</source>
-        <translation>Die Alarmschwelle ist erreicht.</translation>
     </message>
     <message>
         <source>The board does not see its motion sensor, so it cannot stabilize.</source>
@@ -19858,10 +19903,6 @@ Spitze %2°</translation>
         <translation>Das ist brauchbar; an einem ruhigeren Ort wird es besser.</translation>
     </message>
     <message>
-        <source>The battery that the gimbal is used with is connected, and full or nearly so.</source>
-        <translation>Der Akku, mit dem der Gimbal benutzt wird, ist angeschlossen, und voll oder beinahe.</translation>
-    </message>
-    <message>
         <source>The board turns each motor to find its poles and its direction. Then the motors start, and are switched off at once where an axis runs away.</source>
         <translation>Das Board dreht jeden Motor, um Polzahl und Richtung zu finden. Dann starten die Motoren, und werden sofort ausgeschaltet, wo eine Achse davonläuft.</translation>
     </message>
@@ -20180,6 +20221,666 @@ Spitze %2°</translation>
     <message>
         <source>the drone&apos;s Lua does not know binary numbers</source>
         <translation>das Lua der Drohne kennt keine Binärzahlen</translation>
+    </message>
+    <message>
+        <source>Battery below its cut-off</source>
+        <translation>Akku unter der Abschaltspannung</translation>
+    </message>
+    <message>
+        <source>Battery below the alarm</source>
+        <translation>Akku unter der Alarmschwelle</translation>
+    </message>
+    <message>
+        <source>CAN bus off, inside</source>
+        <translation>CAN-Bus innen abgeschaltet</translation>
+    </message>
+    <message>
+        <source>CAN bus off, outside</source>
+        <translation>CAN-Bus außen abgeschaltet</translation>
+    </message>
+    <message>
+        <source>CAN driver does not answer</source>
+        <translation>CAN-Treiber antwortet nicht</translation>
+    </message>
+    <message>
+        <source>CAN driver: controller too hot</source>
+        <translation>CAN-Treiber: Controller zu heiß</translation>
+    </message>
+    <message>
+        <source>CAN driver: emergency pin</source>
+        <translation>CAN-Treiber: Not-Aus-Eingang</translation>
+    </message>
+    <message>
+        <source>CAN driver: field-oriented control</source>
+        <translation>CAN-Treiber: feldorientierte Regelung</translation>
+    </message>
+    <message>
+        <source>CAN driver: lasting over-current</source>
+        <translation>CAN-Treiber: anhaltender Überstrom</translation>
+    </message>
+    <message>
+        <source>CAN driver: motor too hot</source>
+        <translation>CAN-Treiber: Motor zu heiß</translation>
+    </message>
+    <message>
+        <source>CAN driver: over-current</source>
+        <translation>CAN-Treiber: Überstrom</translation>
+    </message>
+    <message>
+        <source>CAN driver: parameters</source>
+        <translation>CAN-Treiber: Parameter</translation>
+    </message>
+    <message>
+        <source>CAN driver: several faults</source>
+        <translation>CAN-Treiber: mehrere Fehler</translation>
+    </message>
+    <message>
+        <source>CAN driver: under-voltage</source>
+        <translation>CAN-Treiber: Unterspannung</translation>
+    </message>
+    <message>
+        <source>CAN hardware</source>
+        <translation>CAN-Hardware</translation>
+    </message>
+    <message>
+        <source>Charge or change the battery; if it is full, correct the alarm.</source>
+        <translation>Den Akku laden oder wechseln; ist er voll, die Alarmschwelle berichtigen.</translation>
+    </message>
+    <message>
+        <source>Charge or change the battery; if it is full, correct the voltage at which motors are switched off.</source>
+        <translation>Den Akku laden oder wechseln; ist er voll, die Spannung berichtigen, bei der Motoren abgeschaltet werden.</translation>
+    </message>
+    <message>
+        <source>Finds which way the sensor sits on the camera: you hold the camera level, tilt its right side down, then its nose. Where the board takes the sensor to sit otherwise, that is set, and kept only where the board&apos;s angles follow the camera then.</source>
+        <translation>Findet, wie der Sensor an der Kamera sitzt: Sie halten die Kamera waagerecht, neigen ihre rechte Seite nach unten, dann ihre Nase. Wo das Board den Sensor anders sitzend annimmt, wird das gesetzt, und nur behalten, wenn die Winkel des Boards der Kamera dann folgen.</translation>
+    </message>
+    <message>
+        <source>I hold the camera: its motors let go</source>
+        <translation>Ich halte die Kamera: die Motoren lassen los</translation>
+    </message>
+    <message>
+        <source>IMU at the high address</source>
+        <translation>IMU an der hohen Adresse</translation>
+    </message>
+    <message>
+        <source>IMU lost</source>
+        <translation>IMU verloren</translation>
+    </message>
+    <message>
+        <source>IMU present</source>
+        <translation>IMU vorhanden</translation>
+    </message>
+    <message>
+        <source>Its axis X points to the left.</source>
+        <translation>Seine Achse X zeigt nach links.</translation>
+    </message>
+    <message>
+        <source>Its axis X points to the right.</source>
+        <translation>Seine Achse X zeigt nach rechts.</translation>
+    </message>
+    <message>
+        <source>Its axis Y points to the left.</source>
+        <translation>Seine Achse Y zeigt nach links.</translation>
+    </message>
+    <message>
+        <source>Its axis Y points to the right.</source>
+        <translation>Seine Achse Y zeigt nach rechts.</translation>
+    </message>
+    <message>
+        <source>Its axis Z points to the left.</source>
+        <translation>Seine Achse Z zeigt nach links.</translation>
+    </message>
+    <message>
+        <source>Its axis Z points to the right.</source>
+        <translation>Seine Achse Z zeigt nach rechts.</translation>
+    </message>
+    <message>
+        <source>Its voltage is below the alarm that is set in the board.</source>
+        <translation>Seine Spannung liegt unter der Alarmschwelle, die im Board eingestellt ist.</translation>
+    </message>
+    <message>
+        <source>NT bus in use</source>
+        <translation>NT-Bus in Gebrauch</translation>
+    </message>
+    <message>
+        <source>STorM32-Link present</source>
+        <translation>STorM32-Link vorhanden</translation>
+    </message>
+    <message>
+        <source>Sensor off the camera&apos;s level</source>
+        <translation>Sensor gegen die Waagerechte der Kamera</translation>
+    </message>
+    <message>
+        <source>The battery that the gimbal is used with is connected, and full or nearly so. Where the gimbal runs wild, its motors are stopped first.</source>
+        <translation>Der Akku, mit dem der Gimbal benutzt wird, ist angeschlossen, und voll oder fast voll. Wo der Gimbal außer sich gerät, werden zuerst seine Motoren gestoppt.</translation>
+    </message>
+    <message>
+        <source>The board takes it so, and its angles follow the camera.</source>
+        <translation>Das Board nimmt ihn so an, und seine Winkel folgen der Kamera.</translation>
+    </message>
+    <message>
+        <source>The board took it to sit otherwise; now its angles follow the camera.</source>
+        <translation>Das Board nahm ihn anders sitzend an; jetzt folgen seine Winkel der Kamera.</translation>
+    </message>
+    <message>
+        <source>The frame stands level and still. Right and nose are meant as seen from behind the camera.</source>
+        <translation>Der Rahmen steht waagerecht und still. Rechts und Nase sind von hinten auf die Kamera gesehen gemeint.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s axis X points down.</source>
+        <translation>Die Achse X des Sensors zeigt nach unten.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s axis X points up.</source>
+        <translation>Die Achse X des Sensors zeigt nach oben.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s axis Y points down.</source>
+        <translation>Die Achse Y des Sensors zeigt nach unten.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s axis Y points up.</source>
+        <translation>Die Achse Y des Sensors zeigt nach oben.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s axis Z points down.</source>
+        <translation>Die Achse Z des Sensors zeigt nach unten.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s axis Z points up.</source>
+        <translation>Die Achse Z des Sensors zeigt nach oben.</translation>
+    </message>
+    <message>
+        <source>accelerometer</source>
+        <translation>Beschleunigungssensor</translation>
+    </message>
+    <message>
+        <source>accelerometer by reference</source>
+        <translation>Beschleunigungssensor nach Referenz</translation>
+    </message>
+    <message>
+        <source>accelerometer, sphere</source>
+        <translation>Beschleunigungssensor, Kugel</translation>
+    </message>
+    <message>
+        <source>accelerometer, temperature</source>
+        <translation>Beschleunigungssensor, Temperatur</translation>
+    </message>
+    <message>
+        <source>alignment of the external IMU</source>
+        <translation>Ausrichtung der externen IMU</translation>
+    </message>
+    <message>
+        <source>analogue inputs</source>
+        <translation>Analogeingänge</translation>
+    </message>
+    <message>
+        <source>angles by hand</source>
+        <translation>Winkel von Hand</translation>
+    </message>
+    <message>
+        <source>angles by hand, not stored</source>
+        <translation>Winkel von Hand, nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>armed</source>
+        <translation>scharf</translation>
+    </message>
+    <message>
+        <source>auto-tune</source>
+        <translation>Auto-Abstimmung</translation>
+    </message>
+    <message>
+        <source>axes of the gyroscope</source>
+        <translation>Achsen des Gyroskops</translation>
+    </message>
+    <message>
+        <source>bad IMU</source>
+        <translation>schlechte IMU</translation>
+    </message>
+    <message>
+        <source>battery below the alarm</source>
+        <translation>Akku unter der Alarmschwelle</translation>
+    </message>
+    <message>
+        <source>battery connected</source>
+        <translation>Akku angeschlossen</translation>
+    </message>
+    <message>
+        <source>battery setting</source>
+        <translation>Akku-Einstellung</translation>
+    </message>
+    <message>
+        <source>calibrated</source>
+        <translation>kalibriert</translation>
+    </message>
+    <message>
+        <source>calibration failed</source>
+        <translation>Kalibrierung misslungen</translation>
+    </message>
+    <message>
+        <source>calibration of the driver</source>
+        <translation>Kalibrierung des Treibers</translation>
+    </message>
+    <message>
+        <source>calibration with motors off</source>
+        <translation>Kalibrierung bei ausgeschalteten Motoren</translation>
+    </message>
+    <message>
+        <source>clock crystal</source>
+        <translation>Taktquarz</translation>
+    </message>
+    <message>
+        <source>current sensor</source>
+        <translation>Stromsensor</translation>
+    </message>
+    <message>
+        <source>data of the encoder too late</source>
+        <translation>Encoderdaten zu spät</translation>
+    </message>
+    <message>
+        <source>driver fault</source>
+        <translation>Treiberfehler</translation>
+    </message>
+    <message>
+        <source>driver licence</source>
+        <translation>Lizenz des Treibers</translation>
+    </message>
+    <message>
+        <source>driver on</source>
+        <translation>Treiber ein</translation>
+    </message>
+    <message>
+        <source>driver too hot</source>
+        <translation>Treiber zu heiß</translation>
+    </message>
+    <message>
+        <source>encoder and IMU disagree</source>
+        <translation>Geber und IMU widersprechen sich</translation>
+    </message>
+    <message>
+        <source>encoder field</source>
+        <translation>Encoderfeld</translation>
+    </message>
+    <message>
+        <source>encoder missing</source>
+        <translation>Encoder fehlt</translation>
+    </message>
+    <message>
+        <source>encoder offset</source>
+        <translation>Encoder-Nullpunkt</translation>
+    </message>
+    <message>
+        <source>encoder scale</source>
+        <translation>Gebermaßstab</translation>
+    </message>
+    <message>
+        <source>encoder table</source>
+        <translation>Encodertabelle</translation>
+    </message>
+    <message>
+        <source>encoder type</source>
+        <translation>Encodertyp</translation>
+    </message>
+    <message>
+        <source>endless restarts</source>
+        <translation>endlose Neustarts</translation>
+    </message>
+    <message>
+        <source>external IMU lost</source>
+        <translation>externe IMU verloren</translation>
+    </message>
+    <message>
+        <source>flight controller</source>
+        <translation>Flugregler</translation>
+    </message>
+    <message>
+        <source>follows pitch</source>
+        <translation>folgt in Pitch</translation>
+    </message>
+    <message>
+        <source>follows roll</source>
+        <translation>folgt in Roll</translation>
+    </message>
+    <message>
+        <source>follows yaw</source>
+        <translation>folgt in Yaw</translation>
+    </message>
+    <message>
+        <source>frame IMU</source>
+        <translation>Rahmen-IMU</translation>
+    </message>
+    <message>
+        <source>frame IMU lost</source>
+        <translation>Rahmen-IMU verloren</translation>
+    </message>
+    <message>
+        <source>frame inverted</source>
+        <translation>Rahmen umgedreht</translation>
+    </message>
+    <message>
+        <source>frequency response</source>
+        <translation>Frequenzgang</translation>
+    </message>
+    <message>
+        <source>gyroscope</source>
+        <translation>Gyroskop</translation>
+    </message>
+    <message>
+        <source>gyroscope of the external IMU</source>
+        <translation>Gyroskop der externen IMU</translation>
+    </message>
+    <message>
+        <source>gyroscope, temperature</source>
+        <translation>Gyroskop, Temperatur</translation>
+    </message>
+    <message>
+        <source>home position of motors</source>
+        <translation>Grundstellung der Motoren</translation>
+    </message>
+    <message>
+        <source>inside the encoder</source>
+        <translation>im Encoder</translation>
+    </message>
+    <message>
+        <source>internal fault</source>
+        <translation>innerer Fehler</translation>
+    </message>
+    <message>
+        <source>leveling failed</source>
+        <translation>Ausrichten misslungen</translation>
+    </message>
+    <message>
+        <source>limit violated</source>
+        <translation>Grenze verletzt</translation>
+    </message>
+    <message>
+        <source>link OK</source>
+        <translation>Link in Ordnung</translation>
+    </message>
+    <message>
+        <source>link in use</source>
+        <translation>Link in Gebrauch</translation>
+    </message>
+    <message>
+        <source>link on the CAN bus lost</source>
+        <translation>Verbindung am CAN-Bus verloren</translation>
+    </message>
+    <message>
+        <source>magnetic link</source>
+        <translation>magnetische Kopplung</translation>
+    </message>
+    <message>
+        <source>magnetometer</source>
+        <translation>Magnetometer</translation>
+    </message>
+    <message>
+        <source>magnetometer OK</source>
+        <translation>Magnetometer in Ordnung</translation>
+    </message>
+    <message>
+        <source>magnetometer lost</source>
+        <translation>Magnetometer verloren</translation>
+    </message>
+    <message>
+        <source>magnetometer present</source>
+        <translation>Magnetometer vorhanden</translation>
+    </message>
+    <message>
+        <source>main IMU</source>
+        <translation>Haupt-IMU</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>momentum</source>
+        <translation>Trägheit</translation>
+    </message>
+    <message>
+        <source>momentum, automatic</source>
+        <translation>Trägheit, automatisch</translation>
+    </message>
+    <message>
+        <source>motor blocked</source>
+        <translation>Motor blockiert</translation>
+    </message>
+    <message>
+        <source>motor poles or inversion</source>
+        <translation>Motorpole oder Richtung</translation>
+    </message>
+    <message>
+        <source>motor too hot</source>
+        <translation>Motor zu heiß</translation>
+    </message>
+    <message>
+        <source>night mode</source>
+        <translation>Nachtmodus</translation>
+    </message>
+    <message>
+        <source>not in its normal position</source>
+        <translation>nicht in normaler Lage</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>operating position</source>
+        <translation>Betriebsstellung</translation>
+    </message>
+    <message>
+        <source>orientation of the IMU</source>
+        <translation>Ausrichtung der IMU</translation>
+    </message>
+    <message>
+        <source>over-current</source>
+        <translation>Überstrom</translation>
+    </message>
+    <message>
+        <source>over-speed</source>
+        <translation>Überdrehzahl</translation>
+    </message>
+    <message>
+        <source>overload too long</source>
+        <translation>zu lange überlastet</translation>
+    </message>
+    <message>
+        <source>parameters of the external IMU</source>
+        <translation>Parameter der externen IMU</translation>
+    </message>
+    <message>
+        <source>parameters were changed</source>
+        <translation>Parameter wurden geändert</translation>
+    </message>
+    <message>
+        <source>pitch motor runs</source>
+        <translation>Pitch-Motor läuft</translation>
+    </message>
+    <message>
+        <source>poles</source>
+        <translation>Pole</translation>
+    </message>
+    <message>
+        <source>power manager</source>
+        <translation>Stromverwaltung</translation>
+    </message>
+    <message>
+        <source>profile 1</source>
+        <translation>Profil 1</translation>
+    </message>
+    <message>
+        <source>profile 2</source>
+        <translation>Profil 2</translation>
+    </message>
+    <message>
+        <source>profile 3</source>
+        <translation>Profil 3</translation>
+    </message>
+    <message>
+        <source>profile 4</source>
+        <translation>Profil 4</translation>
+    </message>
+    <message>
+        <source>profile 5</source>
+        <translation>Profil 5</translation>
+    </message>
+    <message>
+        <source>re-centers pitch</source>
+        <translation>zentriert Pitch</translation>
+    </message>
+    <message>
+        <source>re-centers roll</source>
+        <translation>zentriert Roll</translation>
+    </message>
+    <message>
+        <source>re-centers yaw</source>
+        <translation>zentriert Yaw</translation>
+    </message>
+    <message>
+        <source>retracted</source>
+        <translation>eingefahren</translation>
+    </message>
+    <message>
+        <source>retracting</source>
+        <translation>fährt ein</translation>
+    </message>
+    <message>
+        <source>roll motor runs</source>
+        <translation>Roll-Motor läuft</translation>
+    </message>
+    <message>
+        <source>safe stop</source>
+        <translation>sicherer Halt</translation>
+    </message>
+    <message>
+        <source>search of limits</source>
+        <translation>Suche der Grenzen</translation>
+    </message>
+    <message>
+        <source>second IMU OK</source>
+        <translation>zweite IMU in Ordnung</translation>
+    </message>
+    <message>
+        <source>second IMU on the NT bus</source>
+        <translation>zweite IMU am NT-Bus</translation>
+    </message>
+    <message>
+        <source>second IMU on the board</source>
+        <translation>zweite IMU auf dem Board</translation>
+    </message>
+    <message>
+        <source>second IMU present</source>
+        <translation>zweite IMU vorhanden</translation>
+    </message>
+    <message>
+        <source>self-calibration of the encoder</source>
+        <translation>Selbstkalibrierung des Encoders</translation>
+    </message>
+    <message>
+        <source>serial number on the CAN bus</source>
+        <translation>Seriennummer am CAN-Bus</translation>
+    </message>
+    <message>
+        <source>serial numbers on the CAN bus differ</source>
+        <translation>Seriennummern am CAN-Bus verschieden</translation>
+    </message>
+    <message>
+        <source>servo mode</source>
+        <translation>Servobetrieb</translation>
+    </message>
+    <message>
+        <source>several positions</source>
+        <translation>mehrere Stellungen</translation>
+    </message>
+    <message>
+        <source>shake generator</source>
+        <translation>Rüttelgenerator</translation>
+    </message>
+    <message>
+        <source>stage of the driver&apos;s start</source>
+        <translation>Startstufe des Treibers</translation>
+    </message>
+    <message>
+        <source>start of the motor driver</source>
+        <translation>Start des Motortreibers</translation>
+    </message>
+    <message>
+        <source>start step 1 done</source>
+        <translation>Startschritt 1 fertig</translation>
+    </message>
+    <message>
+        <source>start step 2 done</source>
+        <translation>Startschritt 2 fertig</translation>
+    </message>
+    <message>
+        <source>started</source>
+        <translation>gestartet</translation>
+    </message>
+    <message>
+        <source>stored parameters</source>
+        <translation>gespeicherte Parameter</translation>
+    </message>
+    <message>
+        <source>stored variables</source>
+        <translation>gespeicherte Variablen</translation>
+    </message>
+    <message>
+        <source>system identification</source>
+        <translation>Systemerkennung</translation>
+    </message>
+    <message>
+        <source>time-lapse</source>
+        <translation>Zeitraffer</translation>
+    </message>
+    <message>
+        <source>time-out</source>
+        <translation>Zeitüberschreitung</translation>
+    </message>
+    <message>
+        <source>too hot</source>
+        <translation>zu heiß</translation>
+    </message>
+    <message>
+        <source>tripod mode</source>
+        <translation>Stativbetrieb</translation>
+    </message>
+    <message>
+        <source>type of the external IMU</source>
+        <translation>Typ der externen IMU</translation>
+    </message>
+    <message>
+        <source>unsafe voltage</source>
+        <translation>unsichere Spannung</translation>
+    </message>
+    <message>
+        <source>version on the CAN bus</source>
+        <translation>Version am CAN-Bus</translation>
+    </message>
+    <message>
+        <source>vibration test</source>
+        <translation>Vibrationstest</translation>
+    </message>
+    <message>
+        <source>watchdog</source>
+        <translation>Watchdog</translation>
+    </message>
+    <message>
+        <source>writing parameters</source>
+        <translation>Parameter schreiben</translation>
+    </message>
+    <message>
+        <source>wrong start position</source>
+        <translation>falsche Startlage</translation>
+    </message>
+    <message>
+        <source>yaw motor runs</source>
+        <translation>Yaw-Motor läuft</translation>
+    </message>
+    <message>
+        <source>Battery cells</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -61,6 +61,13 @@
             <numerusform>%n cells by the voltage, %1 V each</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n cell(s) as the board counts, %1 V each</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>BenchPage</name>

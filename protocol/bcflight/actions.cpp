@@ -442,7 +442,8 @@ Result<ActionReply> Device::calibrateEscs(Channel &channel)
     return beDeaf(channel, order(Message::CalibrateEscs), kPhases, {});
 }
 
-Result<QByteArray> Device::withGains(const QByteArray &text, const QByteArray &gains, int &changed) const
+Result<QByteArray> Device::withGains(const QByteArray &text, const QByteArray &gains,
+                                     ActionReply &changes) const
 {
     const auto scales = findScales(text);
     if (!scales)
@@ -466,8 +467,9 @@ Result<QByteArray> Device::withGains(const QByteArray &text, const QByteArray &g
         if (!std::isfinite(value))
             return failure(ErrorCode::ConditionUnmet,
                            u"the scale of a gain in the text is %1, which gives no number"_s.arg(scale));
+        changes.insert(QLatin1String(m_adjustables[std::size_t(variable)].key),
+                       u"%1 > %2"_s.arg(literal.value).arg(value));
         next = replaced(next, literal, value);
-        ++changed;
     }
     return next;
 }
@@ -484,12 +486,14 @@ Result<ActionReply> Device::storeGains(Channel &channel)
     const auto text = readText(channel);
     if (!text)
         return tl::unexpected(text.error());
-    int changed = 0;
-    const auto next = withGains(*text, *gains, changed);
+    ActionReply changes;
+    const auto next = withGains(*text, *gains, changes);
     if (!next)
         return tl::unexpected(next.error());
-    if (changed == 0)
-        return ActionReply{{u"changed"_s, 0}};
+    ActionReply reply = changes;
+    reply.insert(u"changed"_s, changes.size());
+    if (changes.isEmpty())
+        return reply;
     if (const auto written = writeText(channel, *next); !written)
         return tl::unexpected(written.error());
     const auto held = readText(channel);
@@ -510,7 +514,7 @@ Result<ActionReply> Device::storeGains(Channel &channel)
         if (gainAt(*used, variable) != gainAt(*gains, variable))
             return failure(ErrorCode::NotStored, u"after its restart the drone uses other gains"_s);
     }
-    return ActionReply{{u"changed"_s, changed}};
+    return reply;
 }
 
 // It confirms, waits, goes and comes back; the first packet that it hears then is thrown away (errata

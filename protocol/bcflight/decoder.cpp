@@ -111,7 +111,19 @@ void Decoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store
         return;
     if (id == Message::ReceiveLevel && values.front() == kLevelUnknown)
         values.front() = kNoNumber;
+    if (id == Message::BatteryVoltage)
+        m_volts = double(values.front());
+    const double level = double(values.front()) / 100;
     put(place->first, std::move(values), at, store);
+    if (id == Message::BatteryLevel)
+        putCells(m_volts, level, at, store);
+}
+
+// Its own number of cells is not on the wire.
+void Decoder::putCells(double volts, double level, TimePoint at, TelemetryStore &store)
+{
+    if (const int cells = countedCells(volts, level); cells > 0)
+        put(BatteryCells, {float(cells)}, at, store);
 }
 
 // A drone whose sensor is not read tells 0 for ever (errata 4.2). That is no value: what answers draws some.
@@ -179,6 +191,7 @@ void Decoder::putTelemetry(Bytes payload, TimePoint at, TelemetryStore &store)
     if (!now || (m_streamedAt != TimePoint{} && at - m_streamedAt < kStreamed))
         return;
     put(BatteryVolts, {float(now->voltage), float(now->charge)}, at, store);
+    putCells(now->voltage, now->level / 100.0, at, store);
     if (isCurrentTold(now->current))
         put(BatteryCurrent, {float(now->current)}, at, store);
     put(BatteryShare,

@@ -20,6 +20,7 @@ private:
     bool isCurrentTold(double ampere);
     /// Numbers that are none, or beyond anything that can be measured, become gaps.
     void put(int first, std::vector<float> values, TimePoint at, TelemetryStore &store);
+    void putCells(double volts, double level, TimePoint at, TelemetryStore &store);
     void putOutputs(Bytes payload, TimePoint at, TelemetryStore &store);
     void putRoundTrip(Bytes payload, TimePoint at, TelemetryStore &store);
     void putTelemetry(Bytes payload, TimePoint at, TelemetryStore &store);
@@ -31,6 +32,7 @@ private:
     std::size_t m_motors = 0;
     bool m_isBlind = true;  // its attitude unit is off, or nothing has told yet that it is on
     bool m_hasCurrent = false;  // something else than 0 was told of it
+    double m_volts = 0;
     TimePoint m_streamedAt{};  // the battery, in the stream
 };
 

@@ -470,8 +470,8 @@ QString Device::storeAction() const
 
 std::optional<Result<Configuration>> Device::storedAs(const Configuration &inUse) const
 {
-    int changed = 0;
-    return withGains(inUse.block({0, ConfigurationText}), inUse.block({0, Gains}), changed)
+    ActionReply changes;
+    return withGains(inUse.block({0, ConfigurationText}), inUse.block({0, Gains}), changes)
         .map([&inUse](const QByteArray &text) {
             Configuration stored = inUse;
             stored.setBlock({0, ConfigurationText}, text);

@@ -151,9 +151,11 @@ private:
     Result<bool> beginCalibration(Channel &channel, bool isFull);
     Result<ActionReply> calibrate(Channel &channel, bool isFull);
     Result<ActionReply> storeGains(Channel &channel);
-    /// The text with these gains, one literal each. Errors: those of findGains() and findScales().
+    /// The text with these gains, one literal each. Errors: those of findGains() and findScales(),
+    /// OutOfRange, ConditionUnmet (a scale that gives no number).
+    /// @param changes of each literal that is another one, by the key of the gain: "90 > 112.5"
     [[nodiscard]] Result<QByteArray> withGains(const QByteArray &text, const QByteArray &gains,
-                                               int &changed) const;
+                                               ActionReply &changes) const;
     Result<ActionReply> stopMotors(Channel &channel);
     /// Errors: Unsupported over a stream.
     [[nodiscard]] Result<void> checkMayTurn() const;

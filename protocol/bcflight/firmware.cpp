@@ -74,17 +74,13 @@ std::optional<Result<Frame>> pieceAnswer(const FrameView &frame)
                                 int(code)});
 }
 
-// What its level is counted from, by its own number of cells (errata 4.2).
-constexpr double kEmptyCellVolts = 3.0;
-constexpr double kCellSpan = 1.2;
-
 // A drone that loses its power while it replaces its program has none afterwards.
 Result<void> checkBattery(const Telemetry &now)
 {
     if (now.voltage <= kNoBatteryVolts)
         return {};  // supplied otherwise, or not measured
-    const double least = lowBattery(batteryCells(now.voltage), kLowCellVolts, {}).value_or(0.0);
-    const bool isLow = now.voltage < least || kEmptyCellVolts + kCellSpan * now.level / 100 < kLowCellVolts;
+    const int cells = std::max(batteryCells(now.voltage), countedCells(now.voltage, now.level / 100.0));
+    const bool isLow = now.voltage < lowBattery(cells, kLowCellVolts, {}).value_or(0.0);
     return isLow ? failure(ErrorCode::ConditionUnmet,
                            u"the battery is low: %1 V, %2 %. A drone that loses its power while its program "
                            "is replaced does not start any more; charge or change the battery first"_s

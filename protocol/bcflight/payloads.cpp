@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/bcflight/payloads.h"
 
+#include "protocol/base/battery.h"
 #include "protocol/base/checksum.h"
 
 #include <QtEndian>
@@ -177,6 +178,16 @@ std::optional<Status> Status::decode(Bytes payload)
 std::uint32_t Status::bits() const
 {
     return (armed ? kArmed : 0) | (calibrated ? kCalibrated : 0) | (calibrating ? kCalibrating : 0) | others;
+}
+
+int countedCells(double volts, double level)
+{
+    constexpr double kEmpty = 3.0;
+    constexpr double kFull = 4.2;
+    // Beyond a full cell it may be anything, and nobody flies with one below half of an empty one.
+    if (!(volts > kNoBatteryVolts) || !(level >= -0.5 && level <= 1))
+        return 0;
+    return int(std::lround(volts / (kEmpty + (kFull - kEmpty) * level)));
 }
 
 int Controls::size(Generation generation)

@@ -45,6 +45,10 @@ struct Status
     friend bool operator==(const Status &, const Status &) = default;
 };
 
+/// Cells that the drone counts its battery's level by: from 3.0 V of a cell, empty, to 4.2 V (errata 4.2).
+/// 0: what it tells shows none. @param level share of full
+[[nodiscard]] int countedCells(double volts, double level);
+
 /// CONTROLS (errata 4.3): what the pilot wants. Shares of full deflection.
 struct Controls
 {

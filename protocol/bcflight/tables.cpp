@@ -107,6 +107,7 @@ constexpr ChannelSpec kChannels[] = {
     {.key = "spectrum.roll", .label = "Notch spectrum roll", .group = "Spectrum", .unit = "°/s", .decimals = 3, .axis = Axis::Roll, .max = 10, .role = "spectrum.roll", .elements = kSpectrumBins},
     {.key = "spectrum.pitch", .label = "Notch spectrum pitch", .group = "Spectrum", .unit = "°/s", .decimals = 3, .axis = Axis::Pitch, .max = 10, .role = "spectrum.pitch", .elements = kSpectrumBins},
     {.key = "spectrum.yaw", .label = "Notch spectrum yaw", .group = "Spectrum", .unit = "°/s", .decimals = 3, .axis = Axis::Yaw, .max = 10, .role = "spectrum.yaw", .elements = kSpectrumBins},
+    {"battery.cells", "Battery cells", "State", "", 0, Axis::None, 0, 12, "battery.cells"},
 };
 static_assert(std::size(kChannels) == ChannelCount);
 

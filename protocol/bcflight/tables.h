@@ -50,7 +50,8 @@ enum Quantity : std::uint8_t {
     Calibrating,
     Outputs,  ///< an output is above 0
     SpectrumRoll,
-    ChannelCount = SpectrumRoll + 3
+    BatteryCells = SpectrumRoll + 3,  ///< as its level shows that it counts them
+    ChannelCount
 };
 
 [[nodiscard]] std::span<const ParameterRow> parameterRows();

@@ -160,7 +160,7 @@ void Supervisor::watchBoard(double now)
     }
     // A battery does not gain cells; one that is nearly flat looks like one with fewer.
     if (!std::isnan(m_battery))
-        m_cells = std::max(m_cells, batteryCells(m_battery));
+        m_cells = std::max({m_cells, batteryCells(m_battery), m_countedCells});
     const double low = lowBattery(m_cells, m_rules.cellVolts, m_rules.battery).value_or(0.0);
     const bool isLow
         = (m_battery > kNoBatteryVolts && m_battery < low) || !faultOf(AlarmKind::Battery).isEmpty();

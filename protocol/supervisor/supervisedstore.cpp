@@ -37,6 +37,7 @@ SupervisedStore::SupervisedStore(std::shared_ptr<const TelemetryStore> store,
     single(roles.outputs, &SupervisedSample::outputs);
     single(roles.armed, &SupervisedSample::armed);
     single(roles.battery, &SupervisedSample::battery);
+    single(roles.batteryCells, &SupervisedSample::batteryCells);
     single(roles.temperature, &SupervisedSample::temperature);
 }
 

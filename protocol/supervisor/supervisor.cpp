@@ -123,6 +123,8 @@ void Supervisor::add(const SupervisedSample &sample)
     }
     if (isKnown(sample.armed))
         m_armed = sample.armed;
+    if (isKnown(sample.batteryCells))
+        m_countedCells = int(sample.batteryCells);
     if (isKnown(sample.battery)) {
         m_battery = sample.battery;
         m_batteryAt = sample.time;

@@ -30,6 +30,7 @@ struct SupervisedSample
     double outputs = kNone;
     double armed = kNone;
     double battery = kNone;
+    double batteryCells = kNone;  ///< that the board counts
     double temperature = kNone;
     Axes motorTemperature{kNone, kNone, kNone};
 };
@@ -198,6 +199,7 @@ private:
     double m_lastMotion = -1;  // that told an angle or a rate
     double m_steeringSince = -1;
     double m_battery = SupervisedSample::kNone;
+    int m_countedCells = 0;
     int m_cells = 0;
     double m_temperature = SupervisedSample::kNone;
     double m_batteryAt = -1e9;

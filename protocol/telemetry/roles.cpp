@@ -53,6 +53,7 @@ ChannelRoles::ChannelRoles(ChannelTable table, const QSet<QString> &capabilities
     state = find("state");
     charge = find("battery.charge");
     batteryLevel = find("battery.level");
+    batteryCells = find("battery.cells");
     cpuLoad = find("cpu.load");
     cpuTemperature = find("cpu.temperature");
     loops = find("loops");

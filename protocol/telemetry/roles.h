@@ -19,6 +19,7 @@
 ///   rate joint.AXIS                              by which the motor has turned the camera against the frame
 ///   battery, current, temperature, cycle_time, bus_errors
 ///   battery.charge, battery.level           drawn so far; what the board says is left, in %
+///   battery.cells                           that the board counts
 ///   cpu.load, cpu.temperature, loops        of its processor; rounds of its control loop per second
 ///   rx.quality, rx.level                    how it receives this computer: %, dBm
 ///   armed, calibrated, outputs              three different things: ready to fly, level known, motors driven
@@ -58,6 +59,7 @@ public:
     int state = -1;
     int charge = -1;
     int batteryLevel = -1;
+    int batteryCells = -1;
     int cpuLoad = -1;
     int cpuTemperature = -1;
     int loops = -1;

@@ -4,6 +4,8 @@
 #include "app/pages/watch/monitorpage.h"
 #include "protocol/bcflight/messages.h"
 #include "protocol/bcflight/payloads.h"
+#include "protocol/device/device.h"
+#include "protocol/device/flight.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "protocol/video/videopipeline.h"
 #include "tests/bench/report.h"
@@ -193,6 +195,61 @@ std::vector<double> press(WindowRig &rig, Wire &wire, const std::function<void()
     return ms;
 }
 
+/// Milliseconds from a question to its answer, by a socket and nothing else.
+double askBare(int socket)
+{
+    const QByteArray question = bcflight::encode(bcflight::Message::Status, {}, bcflight::Generation::G);
+    std::array<char, 2048> buffer{};
+    const qint64 asked = realTime();
+    std::ignore = ::send(socket, question.data(), std::size_t(question.size()), 0);
+    pollfd ready{socket, POLLIN, 0};
+    while (::poll(&ready, 1, 1000) > 0) {
+        const ssize_t size = ::recv(socket, buffer.data(), buffer.size(), 0);
+        if (size > 0 && QByteArrayView(buffer.data(), size).startsWith(question))
+            break;  // not the stream
+    }
+    return double(realTime() - asked) / 1e6;
+}
+
+/// The same question by a job of this program, from its worker and back to it.
+double askOwn(DeviceClient &client)
+{
+    double ms = 0;
+    auto done = client.submit<bool>([&ms](Channel &channel, Device &device) {
+        const qint64 asked = realTime();
+        return device.flight()->askArmed(channel).map([&](bool armed) {
+            ms = double(realTime() - asked) / 1e6;
+            return armed;
+        });
+    });
+    while (!done.isFinished())
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+    return ms;
+}
+
+/// What a question costs through this program, while its window draws, and through a bare socket, in turn.
+void benchRoundTrip(Report &report, DeviceClient &client)
+{
+    SimProcess other({u"--udp"_s, u"0"_s}, u"bcflight"_s);
+    const int bare = ::socket(AF_INET, SOCK_DGRAM, 0);
+    const sockaddr_in peer = loopback(other.address().section(u':', -1).toUShort());
+    if (::connect(bare, reinterpret_cast<const sockaddr *>(&peer), sizeof(peer)) != 0)
+        qFatal("no drone");
+    std::vector<double> own;
+    std::vector<double> base;
+    for (int i = 0; i < 200; ++i) {
+        base.push_back(askBare(bare));
+        own.push_back(askOwn(client));
+    }
+    ::close(bare);
+    report.tell(u"round trip to a drone while its video and Monitor run: own / bare socket"_s,
+                QString::number(median(own) / median(base), 'f', 1),
+                u"median %1 / %2 ms, worst %3 / %4 ms"_s.arg(median(own), 0, 'f', 2)
+                    .arg(median(base), 0, 'f', 2)
+                    .arg(quantile(own, 1), 0, 'f', 1)
+                    .arg(quantile(base, 1), 0, 'f', 1));
+}
+
 }  // namespace
 
 /// P17: from the red button to the wire, while Monitor draws what a drone streams, its video runs and a job
@@ -253,4 +310,5 @@ void benchStop(Report &report)
         u"idle: median %1 ms, worst %2 ms"_s.arg(median(idle), 0, 'f', 2).arg(quantile(idle, 1), 0, 'f', 1));
     report.atMost(u"P17"_s, u"the same, the worst"_s, quantile(loaded, 1), 100, u"ms"_s,
                   u"median / idle median: %1"_s.arg(median(loaded) / median(idle), 0, 'f', 1));
+    benchRoundTrip(report, rig.client());
 }

@@ -61,6 +61,9 @@ private slots:
     void replaysStartNoMotors();
     void anotherIsConnectedAfterOneWasLost();
     void weakLinkIsNotShownAsGood();
+    void lowBatteryIsSeenOnConnecting();
+    void anotherGroundIsTold();
+    void outputsThatAreNotToldAreUnknown();
     void repliesAreInWords();
 
 private:
@@ -345,6 +348,64 @@ void TestBcflightWindow::weakLinkIsNotShownAsGood()
     m_rig->workspace().changeWorld(u"late=700"_s);
     QTRY_VERIFY2_WITH_TIMEOUT(link->toolTip().contains(u"Slow link"_s) && !link->text().contains(good),
                               qPrintable(link->text() + link->toolTip()), kPatience);
+}
+
+// Four cells of 3.15 V look like three full ones, but for the level that the drone tells.
+void TestBcflightWindow::lowBatteryIsSeenOnConnecting()
+{
+    WindowRig rig;
+    QVERIFY(rig.open(u"sim:bcflight?fault=battery=12.6&seed=399"_s));
+    auto *page = rig.page<DashboardPage>();
+    const auto *battery = page->findChild<BatteryView *>();
+    QTRY_COMPARE_WITH_TIMEOUT(battery->state(), BatteryView::State::Low, kPatience);
+    QVERIFY2(battery->accessibleDescription().contains(u"4 cell"_s),
+             qPrintable(battery->accessibleDescription()));
+    const auto warns = [&rig] {
+        const QList<AlarmReport> open = rig.workspace().alarms().pressing();
+        return std::any_of(open.begin(), open.end(),
+                           [](const AlarmReport &report) { return report.alarm.kind == AlarmKind::Battery; });
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(warns(), kPatience);
+}
+
+void TestBcflightWindow::anotherGroundIsTold()
+{
+    QStringList told;
+    connect(&m_rig->workspace().notifications(), &Notifications::problem, this,
+            [&told](const ErrorText &text) { told.append(text.what); });
+    // What comes when it is alone has to be learned, and a machine that stands still is no good teacher.
+    for (int attempt = 0; attempt < 4 && told.isEmpty(); ++attempt) {
+        m_rig->workspace().changeWorld(u"other-ground=0"_s);
+        QVERIFY(m_rig->boardGoesOn(5));
+        m_rig->workspace().changeWorld(u"other-ground=100"_s);
+        QVERIFY(m_rig->boardGoesOn(5));
+    }
+    QVERIFY2(told.join(u' ').contains(u"Another ground station"_s), qPrintable(told.join(u' ')));
+}
+
+// Errata 9.2, 8: "disarmed" does not mean that its motors stand.
+void TestBcflightWindow::outputsThatAreNotToldAreUnknown()
+{
+    const auto state = [this] { return flightState(m_rig->workspace()); };
+    for (const QString &action : {u"calibrate.all"_s, u"telemetry.full"_s}) {
+        const auto done = m_rig->workspace().perform(action, {{u"on"_s, false}});
+        QTRY_VERIFY_WITH_TIMEOUT(done.isFinished(), kPatience);
+        QVERIFY(done.result());
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(state(), ArmedState::State::OutputsUnknown, kPatience);
+    QStringList told;
+    connect(&m_rig->workspace().notifications(), &Notifications::notice, this,
+            [&told](const QString &text) { told.append(text); });
+    // A stop is proven as far as it can be, and not said to be more.
+    QSignalSpy stopped(&m_rig->client(), &DeviceClient::motorsOffFinished);
+    m_rig->workspace().setMotors(false);
+    QTRY_VERIFY_WITH_TIMEOUT(!stopped.isEmpty(), kPatience);
+    QVERIFY(stopped.last().first().toBool());
+    QVERIFY2(told.join(u' ').contains(u"does not tell what its motors do"_s), qPrintable(told.join(u' ')));
+    QVERIFY(!told.join(u' ').contains(u"switched off"_s));
+    const auto full = m_rig->workspace().perform(u"telemetry.full"_s, {{u"on"_s, true}});
+    QTRY_VERIFY_WITH_TIMEOUT(full.isFinished(), kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(state(), ArmedState::State::Disarmed, kPatience);
 }
 
 void TestBcflightWindow::repliesAreInWords()

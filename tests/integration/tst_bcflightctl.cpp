@@ -30,6 +30,8 @@ private slots:
     void theLinkIsMeasured();
     void tcpBesideUdp();
     void textThatIsNoLuaIsRefused();
+    void configurationLiesInAFile();
+    void textIsReadComparedAndWritten_data();
     void textIsReadComparedAndWritten();
     void textIsCheckedWithoutADrone();
     void recordingsAreListed();
@@ -116,7 +118,15 @@ void TestBcflightCtl::theDayOfADrone()
     QVERIFY2(turned.exitCode == 0, qPrintable(turned.err));
     // That the propellers are off is confirmed each time.
     QVERIFY(ctl(link + QStringList{u"do"_s, u"motor.test"_s, u"motor=2"_s}).exitCode != 0);
-    QCOMPARE(good({u"do"_s, u"motors.off"_s}).exitCode, 0);
+    const Run off = good({u"--json"_s, u"do"_s, u"motors.off"_s});
+    QCOMPARE(off.exitCode, 0);
+    QVERIFY(!off.json().contains(u"outputs"_s));
+    // Without the stream of its outputs "disarmed" is all that is known.
+    QCOMPARE(good({u"do"_s, u"telemetry.full"_s, u"on=off"_s}).exitCode, 0);
+    const Run untold = good({u"--json"_s, u"do"_s, u"motors.off"_s});
+    QCOMPARE(untold.exitCode, 0);
+    QCOMPARE(untold.json().value(u"outputs"_s).toString(), u"unknown"_s);
+    QVERIFY2(untold.err.contains(u"does not tell what its motors do"_s), qPrintable(untold.err));
 }
 
 // One packet of twenty is lost on each way: everything works, or is said not to have worked.
@@ -294,9 +304,38 @@ void TestBcflightCtl::textThatIsNoLuaIsRefused()
     QCOMPARE(ctl(link + QStringList{u"info"_s}).exitCode, 0);  // it is still there
 }
 
+// What was uploaded outlives the simulator, and what somebody else wrote is what it flies with.
+void TestBcflightCtl::configurationLiesInAFile()
+{
+    const QString file = path(u"kept.lua"_s);
+    const QStringList options{u"--udp"_s, u"0"_s, u"--config"_s, file};
+    QByteArray text;
+    {
+        const SimProcess drone(options, u"bcflight"_s);
+        text = load(u"kept.lua"_s);
+        QVERIFY(text.contains("PID( 90, 25, 80 )"));
+        const QString other
+            = save(u"next.lua"_s, QByteArray(text).replace("PID( 90, 25, 80 )", "PID( 99, 25, 80 )"));
+        QCOMPARE(ctl({u"--link"_s, drone.address(), u"config"_s, u"write"_s, other}).exitCode, 0);
+        QVERIFY(load(u"kept.lua"_s).contains("PID( 99, 25, 80 )"));
+    }
+    std::ignore = save(u"kept.lua"_s, load(u"kept.lua"_s).replace("PID( 99, 25, 80 )", "PID( 95, 25, 80 )"));
+    const SimProcess again(options, u"bcflight"_s);
+    const Run gain = ctl({u"--link"_s, again.address(), u"get"_s, u"pid.roll.p"_s});
+    QVERIFY2(gain.err.contains(u"stands as 95"_s), qPrintable(gain.err));
+}
+
+void TestBcflightCtl::textIsReadComparedAndWritten_data()
+{
+    QTest::addColumn<QString>("fault");
+    QTest::newRow("as a rule") << u"lose=0"_s;
+    QTest::newRow("lossy network") << u"lose=0.05"_s;
+}
+
 void TestBcflightCtl::textIsReadComparedAndWritten()
 {
-    const SimProcess drone({u"--udp"_s, u"0"_s}, u"bcflight"_s);
+    QFETCH(QString, fault);
+    const SimProcess drone({u"--udp"_s, u"0"_s, u"--fault"_s, fault}, u"bcflight"_s);
     const QStringList link{u"--link"_s, drone.address()};
     QCOMPARE(ctl(link + QStringList{u"config"_s, u"read"_s, path(u"drone.lua"_s)}).exitCode, 0);
     const QByteArray text = load(u"drone.lua"_s);

@@ -119,6 +119,8 @@ private slots:
     void noFalsePoints();
     void streamIsTakenApart_data();
     void streamIsTakenApart();
+    void cellsAreCountedByTheLevel_data();
+    void cellsAreCountedByTheLevel();
     void spectrumIsTakenApart();
     void chargeIsForgotten();
     void consoleRefusesWhatSteers();
@@ -283,6 +285,7 @@ void TestBcflightDevice::gainsAreStoredInTheText()
     const auto stored = rig.perform("gains.store");
     QVERIFY2(stored, stored ? "" : qPrintable(stored.error().detail));
     QCOMPARE(stored->value(u"changed"_s).toInt(), 1);
+    QCOMPARE(stored->value(u"pid.roll.p"_s).toString(), u"90 > 112.5"_s);
     // One number is another one, all else is as it was.
     const QByteArray after = rig.board().configuration();
     const auto literals = findGains(after, u"pid_roll"_s);
@@ -970,6 +973,48 @@ void TestBcflightDevice::streamIsTakenApart()
         QVERIFY2(told == values[i] || (std::isnan(told) && std::isnan(values[i])),
                  qPrintable(QString::number(double(told))));
     }
+}
+
+void TestBcflightDevice::cellsAreCountedByTheLevel_data()
+{
+    QTest::addColumn<float>("volts");
+    QTest::addColumn<float>("level");
+    QTest::addColumn<float>("cells");
+    QTest::newRow("four full") << 16.8F << 1.F << 4.F;
+    QTest::newRow("four nearly empty") << 12.6F << 0.125F << 4.F;
+    QTest::newRow("four empty") << 11.6F << -0.083F << 4.F;
+    QTest::newRow("three full") << 12.6F << 1.F << 3.F;
+    QTest::newRow("six") << 22.2F << 0.58F << 6.F;
+    QTest::newRow("beyond a full cell it may be anything") << 17.4F << 30.F << std::nanf("");
+    QTest::newRow("no battery") << 0.4F << 0.5F << std::nanf("");
+}
+
+// Errata 4.2. Both ways in which a drone tells.
+void TestBcflightDevice::cellsAreCountedByTheLevel()
+{
+    QFETCH(float, volts);
+    QFETCH(float, level);
+    QFETCH(float, cells);
+    const auto isRight = [cells](const TelemetryStore &store) {
+        const float told = store.latest(BatteryCells);
+        return told == cells || (std::isnan(told) && std::isnan(cells));
+    };
+    TelemetryStore streamed(int(bcflight::channels().size()));
+    Decoder decoder;
+    const QByteArray voltage = bigF32(volts);
+    const QByteArray share = bigF32(level);
+    decoder.decode({int(Message::BatteryVoltage), asBytes(voltage)}, Clock::now(), streamed);
+    decoder.decode({int(Message::BatteryLevel), asBytes(share)}, Clock::now(), streamed);
+    QVERIFY2(isRight(streamed), qPrintable(QString::number(double(streamed.latest(BatteryCells)))));
+    if (level > 1)
+        return;  // does not fit into a byte
+    TelemetryStore asked(int(bcflight::channels().size()));
+    Telemetry telemetry;
+    telemetry.voltage = double(volts);
+    telemetry.level = int(std::lround(level * 100));
+    const QByteArray answer = telemetry.encode();
+    Decoder().decode({int(Message::Telemetry), asBytes(answer)}, Clock::now(), asked);
+    QVERIFY2(isRight(asked), qPrintable(QString::number(double(asked.latest(BatteryCells)))));
 }
 
 // Errata 8.3: four numbers in a bin, little-endian, the fourth unused.

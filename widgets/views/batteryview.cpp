@@ -42,13 +42,14 @@ QSize BatteryView::sizeHint() const
     return {240, QFontMetrics(large).height() + kBar + 2 * fontMetrics().height() + 2 * Metric::kUnit};
 }
 
-void BatteryView::setVolts(double volts)
+void BatteryView::setVolts(double volts, int counted)
 {
     const bool isSame = (std::isnan(volts) && std::isnan(m_volts)) || std::abs(volts - m_volts) < 0.005;
-    if (isSame)
+    if (isSame && counted == m_counted)
         return;
     m_volts = volts;
-    m_cells = batteryCells(volts) == 0 ? 0 : std::max(m_cells, batteryCells(volts));
+    m_counted = counted;
+    m_cells = batteryCells(volts) == 0 ? 0 : std::max({m_cells, batteryCells(volts), counted});
     tell();
 }
 
@@ -104,12 +105,14 @@ QString BatteryView::stateText() const
     return alarm() || motorsOff() ? tr("✓ good") : QString();
 }
 
-// The board does not count them; so many would have such a voltage.
+// Where the board does not count them: so many would have such a voltage.
 QString BatteryView::cellText() const
 {
     if (m_cells == 0)
         return {};
-    return tr("%n cell(s) by the voltage, %1 V each", nullptr, m_cells).arg(numberText(m_volts / m_cells, 2));
+    const QString each = numberText(m_volts / m_cells, 2);
+    return m_counted == m_cells ? tr("%n cell(s) as the board counts, %1 V each", nullptr, m_cells).arg(each)
+                                : tr("%n cell(s) by the voltage, %1 V each", nullptr, m_cells).arg(each);
 }
 
 QString BatteryView::thresholdText() const

@@ -15,8 +15,8 @@ class BatteryView final : public QWidget
 public:
     explicit BatteryView(const Theme &theme, QWidget *parent = nullptr);
 
-    /// Volts; NaN = not known.
-    void setVolts(double volts);
+    /// Volts; NaN = not known. @param counted cells that the board counts; 0: it tells none
+    void setVolts(double volts, int counted = 0);
     /// Volts of the whole battery, or of each cell; those that are set.
     void setThresholds(std::optional<double> alarm, std::optional<double> motorsOff, bool perCell);
 
@@ -45,6 +45,7 @@ private:
     const Theme &m_theme;
     double m_volts;
     int m_cells = 0;  // counted once: it does not lose one by emptying
+    int m_counted = 0;
     std::optional<double> m_alarm;
     std::optional<double> m_motorsOff;
     bool m_perCell = false;

@@ -21,6 +21,8 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -206,7 +208,9 @@ void FirmwareCard::setRunning(bool running)
 bool FirmwareCard::refusesBattery()
 {
     const double volts = m_workspace.latest(m_workspace.roles().battery);
-    const auto low = lowBattery(batteryCells(volts), kLowCellVolts, {});
+    const double counted = m_workspace.latest(m_workspace.roles().batteryCells);
+    const int cells = std::max(batteryCells(volts), std::isnan(counted) ? 0 : int(counted));
+    const auto low = lowBattery(cells, kLowCellVolts, {});
     if (!low || volts >= *low)
         return false;
     say(tr("✖ Not begun: the battery is low (%1 V). A drone that loses its power while its program is "

@@ -340,7 +340,8 @@ void DashboardPage::refreshFacts()
 {
     const ChannelRoles &roles = workspace().roles();
     m_batteryCard->setVisible(!workspace().client().isConnected() || roles.battery >= 0);
-    m_battery->setVolts(workspace().latest(roles.battery));
+    const double cells = workspace().latest(roles.batteryCells);
+    m_battery->setVolts(workspace().latest(roles.battery), std::isnan(cells) ? 0 : int(cells));
     QStringList rows;
     const auto row = [&rows](const QString &name, const QString &text) { rows.append(tableRow(name, text)); };
     if (roles.current >= 0)

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/simulator/bcflight/board.h"
 
+#include "protocol/base/filefault.h"
 #include "protocol/bcflight/luacheck.h"
 #include "protocol/bcflight/luatext.h"
+#include "protocol/bcflight/tables.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,12 +97,19 @@ SimulatedBoard::SimulatedBoard(const SimulatorOptions &options)
     , m_noise(options.seed + 1)
     , m_configuration(kShippedConfiguration)
 {
+    if (!options.memoryFile.isEmpty())
+        m_configuration = readWhole(options.memoryFile, FileKind::Other, kLargestText).value_or(QByteArray());
     if (options.own.value(QLatin1String(kNotch), 0))
         m_configuration.append("\nstabilizer.dynamic_notch = DynamicNotchFilter { min_freq = 100 }\n");
     m_quadcopter.setPlace(options.own.value(QLatin1String(kStand), 1) ? Quadcopter::Place::Stand
                                                                       : Quadcopter::Place::Ground);
     setFaults(options.faults);
     start();
+}
+
+QByteArray SimulatedBoard::shippedConfiguration()
+{
+    return kShippedConfiguration;
 }
 
 void SimulatedBoard::setFaults(const Faults &faults)

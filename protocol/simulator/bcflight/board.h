@@ -57,6 +57,7 @@ public:
     [[nodiscard]] Status status() const;
     [[nodiscard]] const std::vector<double> &outputs() const { return m_outputs; }
     [[nodiscard]] const QByteArray &configuration() const { return m_configuration; }
+    [[nodiscard]] static QByteArray shippedConfiguration();
     [[nodiscard]] const QByteArray &firmware() const { return m_firmware; }
     [[nodiscard]] const std::array<std::array<double, 3>, 3> &gains() const { return m_gains; }
     /// The flight program has ended, or its command thread hangs: only a power cycle helps.

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/base/checksum.h"
+#include "protocol/base/filefault.h"
 #include "protocol/simulator/bcflight/board.h"
 
 #include <QtEndian>
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace bcflight {
@@ -350,6 +352,8 @@ void SimulatedBoard::takeConfiguration(Bytes payload)
     if (!given)
         return;
     m_configuration = *given;
+    if (!m_options.memoryFile.isEmpty())
+        std::ignore = writeWhole(m_options.memoryFile, m_configuration);  // as a drone: nobody is told
     const auto last = m_outbox;
     restart(kRestartTime);
     m_outbox = last;

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/simulator/bcflight/family.h"
 
+#include "protocol/base/filefault.h"
+#include "protocol/bcflight/tables.h"
 #include "protocol/simulator/bcflight/board.h"
+
+#include <QFileInfo>
 
 using namespace Qt::StringLiterals;
 
@@ -18,6 +22,18 @@ Result<void> readGeneration(SimulatorSetup &setup, const QString &text)
         return failure(ErrorCode::InvalidArgument, u"generation is A to G, not '%1'"_s.arg(text));
     setup.options.own[QLatin1String(SimulatedBoard::kGeneration)] = int(found) + 1;
     return {};
+}
+
+// A file that is not there yet gets the shipped text.
+Result<void> readConfigurationFile(SimulatorSetup &setup, const QString &text)
+{
+    const QString path = QFileInfo(text).absoluteFilePath();
+    const auto there = QFileInfo::exists(path)
+        ? readWhole(path, FileKind::Other, kLargestText).map([](const QByteArray &) {})
+        : writeWhole(path, SimulatedBoard::shippedConfiguration());
+    if (there)
+        setup.options.memoryFile = path;
+    return there;
 }
 
 Result<void> readFrameRate(SimulatorSetup &setup, const QString &text)
@@ -59,6 +75,10 @@ SimulatedFamily simulatedFamily()
           u"G"_s,
           {u"which generation of the protocol it speaks: A to G (default)"_s},
           readGeneration},
+         {u"config"_s,
+          u"FILE"_s,
+          {u"its configuration text lies there, and what is uploaded as well; else in memory"_s},
+          readConfigurationFile},
          switchOption(SimulatedBoard::kCamera, u"0: it has no camera"_s),
          switchOption(SimulatedBoard::kVideoless,
                       u"1: its program was built without video: it tells nothing of cameras and sensors"_s),

@@ -57,5 +57,6 @@ struct SimulatorOptions
     int firmware = 0;  ///< as the family numbers it; 0 = its default
     bool usb = true;  ///< native USB port: not throttled, vanishes during a restart
     Faults faults;
+    QString memoryFile;  ///< holds what the board stores, where its family can; empty: it is forgotten
     QMap<QString, int> own;  ///< options of its family only, see SimulatedFamily::options
 };
