@@ -58,6 +58,8 @@ class TestSbgcDevice : public QObject
 {
     Q_OBJECT
 private slots:
+    void simulatedBoardHoldsWhatMayBe_data();
+    void simulatedBoardHoldsWhatMayBe();
     void identifies();
     void unknownFirmwareIsReadOnly();
     void findsRateAndParity_data();
@@ -662,6 +664,48 @@ void TestSbgcDevice::argumentsAreChecked()
         }
     }
     QCOMPARE(bench.device.perform(bench.channel, u"nonsense"_s, {}).error().code, ErrorCode::Unsupported);
+}
+
+void TestSbgcDevice::simulatedBoardHoldsWhatMayBe_data()
+{
+    QTest::addColumn<int>("firmware");
+    QTest::addColumn<bool>("isNew");
+    for (const int firmware :
+         {2400, 2500, 2590, 2600, 2670, 2680, 2690, 2730, simplebgc::Device::kNewestFirmware}) {
+        QTest::addRow("%d", firmware) << firmware << false;
+        QTest::addRow("%d, unpacked", firmware) << firmware << true;
+    }
+}
+
+// Fields of later firmware too: each value is one that an operator may set.
+void TestSbgcDevice::simulatedBoardHoldsWhatMayBe()
+{
+    QFETCH(const int, firmware);
+    QFETCH(const bool, isNew);
+    SimulatorOptions options;
+    options.firmware = firmware;
+    options.own = {{u"encoders"_s, 1}, {u"magnetometer"_s, 1}};
+    if (isNew)
+        options.own.insert(u"condition"_s, 1);
+    VirtualBoard board(options);
+    QVERIFY(board.identify());
+    const auto configuration = board.device.readConfiguration(board.channel);
+    QVERIFY(configuration);
+    QVERIFY(configuration->missing().empty());
+    QStringList wrong;
+    for (const ParameterSpec &spec : configuration->parameters().all()) {
+        for (int profile = 0; profile < 5; ++profile) {
+            const auto raw = configuration->raw(spec, profile);
+            if (raw && !spec.row->state && !spec.accepts(*raw)
+                && (profile == 0 || spec.row->scope == Scope::Profile))
+                wrong.append(u"%1 of profile %2 = %3, allowed %4 to %5"_s.arg(spec.key)
+                                 .arg(profile)
+                                 .arg(*raw)
+                                 .arg(spec.row->min)
+                                 .arg(spec.row->max));
+        }
+    }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
 }
 
 QTEST_APPLESS_MAIN(TestSbgcDevice)
