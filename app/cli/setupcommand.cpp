@@ -41,7 +41,7 @@ public:
     const char *words() const override { return "[STEP|next [ANSWER=VALUE...]]"; }
     QString help() const override
     {
-        return u"set up a new gimbal step by step; without a step: what they are, and how far it has come"_s;
+        return u"gimbal setup, step by step; without a step: what they are, and how far it has come"_s;
     }
     const char *example() const override { return "--link serial:/dev/ttyUSB0 setup power cells=3"; }
     QList<CommandOption> options() override
@@ -176,9 +176,10 @@ private:
     {
         for (const SetupStep step : steps) {
             const SetupStepSpec &spec = setupStep(step);
-            outcome.text += u"%1 %2 %3\n"_s.arg(QString::fromLatin1(spec.action.key).leftJustified(12),
-                                                setupStateKey(record.result(step).state).leftJustified(9),
-                                                english(spec.action.help));
+            // With its name on the page.
+            outcome.text += u"%1 %2 %3: %4\n"_s.arg(QString::fromLatin1(spec.action.key).leftJustified(12),
+                                                    setupStateKey(record.result(step).state).leftJustified(9),
+                                                    english(spec.action.label), english(spec.action.help));
             for (const ArgumentSpec &answer : spec.action.arguments) {
                 QStringList words;
                 for (const Choice &choice : answer.choices)

@@ -146,7 +146,8 @@ const SetupStepSpec &setupStep(SetupStep step)
 const SetupStepSpec *findSetupStep(const QString &key)
 {
     const auto it = std::find_if(std::begin(kSteps), std::end(kSteps), [&key](const SetupStepSpec &spec) {
-        return key == QLatin1String(spec.action.key);
+        return key == QLatin1String(spec.action.key)
+            || key.compare(QLatin1String(spec.action.label), Qt::CaseInsensitive) == 0;
     });
     return it == std::end(kSteps) ? nullptr : &*it;
 }

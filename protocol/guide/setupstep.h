@@ -35,7 +35,7 @@ struct SetupStepSpec
 /// All of them. Those that a board lacks something for are left out of `stepsOf`.
 [[nodiscard]] std::span<const SetupStepSpec> setupSteps();
 [[nodiscard]] std::vector<SetupStep> stepsOf(const Device &device);
-/// The step with this key; null: there is none.
+/// The step with this key, or this name on the page; null: there is none.
 [[nodiscard]] const SetupStepSpec *findSetupStep(const QString &key);
 
 /// What a step measured: its key begins the figure's ("drift.pitch").

@@ -139,6 +139,7 @@ void TestCtlSetup::wrongWordsAreTold_data()
     QTest::newRow("not confirmed") << QStringList{u"motors"_s} << u"--confirmed"_s;
     QTest::newRow("no such answer") << QStringList{u"power"_s, u"colour=red"_s} << u"colour"_s;
     QTest::newRow("out of range") << QStringList{u"power"_s, u"cells=99"_s} << u"cells"_s;
+    QTest::newRow("by its name on the page") << QStringList{u"Battery"_s, u"cells=99"_s} << u"cells"_s;
     QTest::newRow("no value") << QStringList{u"power"_s, u"cells"_s} << u"ANSWER=VALUE"_s;
 }
 
