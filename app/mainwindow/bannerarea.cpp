@@ -5,7 +5,11 @@
 #include "app/mainwindow/clickshield.h"
 #include "widgets/theme/theme.h"
 #include "widgets/views/armedstate.h"
+#include "widgets/views/controlpad.h"
+#include "widgets/views/motordiagram.h"
 
+#include <QAbstractButton>
+#include <QAbstractSlider>
 #include <QApplication>
 #include <QCursor>
 #include <QKeyEvent>
@@ -20,6 +24,28 @@
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+// What it weighs that something is hidden.
+constexpr int kArmed = 10000;
+constexpr int kUsed = 1000;
+constexpr int kMotors = 100;
+constexpr int kActing = 1;
+constexpr auto kDragged = std::chrono::milliseconds(200);
+
+int weightOf(const QWidget &widget)
+{
+    if (qobject_cast<const ArmedState *>(&widget))
+        return kArmed;
+    if (qobject_cast<const MotorDiagram *>(&widget))
+        return kMotors;
+    const bool acts = qobject_cast<const QAbstractButton *>(&widget)
+        || qobject_cast<const QAbstractSlider *>(&widget) || qobject_cast<const ControlPad *>(&widget);
+    return acts && widget.isEnabled() ? kActing : 0;
+}
+
+}  // namespace
+
 BannerArea::BannerArea(QStackedWidget &pages, QWidget *parent)
     : QWidget(parent)
     , m_pages(pages)
@@ -31,7 +57,7 @@ BannerArea::BannerArea(QStackedWidget &pages, QWidget *parent)
             &BannerArea::jump);
     // Once the page that comes has its size.
     connect(&pages, &QStackedWidget::currentChanged, this,
-            [this] { QTimer::singleShot(0, this, &BannerArea::uncoverState); });
+            [this] { QTimer::singleShot(0, this, &BannerArea::lookAgain); });
     connect(qApp, &QApplication::focusChanged, this, &BannerArea::followFocus);
 }
 
@@ -91,6 +117,7 @@ bool BannerArea::eventFilter(QObject *watched, QEvent *event)
     case QEvent::HideToParent:
         shield(widget->geometry());
         std::erase_if(m_shown, [widget](const Banner &banner) { return banner.widget == widget; });
+        makeRoom();
         break;
     case QEvent::LayoutRequest:
         place();
@@ -110,15 +137,56 @@ void BannerArea::appear(QWidget *widget)
     widget->setGeometry({});  // it was nowhere: nothing there is shielded
     m_shown.push_back(*known);
     place();
-    if (!isFirst)
-        return;
-    const bool hides = hidesState(room(false));
-    const bool lower = hides != hidesState(room(true)) ? hides : isInUse(room(false)) && !isInUse(room(true));
-    if (lower != m_lower) {
+    if (isFirst)
+        findPlace();
+}
+
+// Where least is hidden that has to be used or seen. Where that would be motors at either edge, or whether
+// they may turn, the page makes room at its lower one: all other pages stay as they are.
+void BannerArea::findPlace()
+{
+    const auto putAt = [this](bool lower) {
         m_lower = lower;
-        widget->setGeometry({});
+        for (Banner &banner : m_shown) {
+            banner.offset = 0;
+            banner.widget->setGeometry({});  // nothing is shielded where it was
+        }
         place();
+        return hidden(room(lower));
+    };
+    m_makesRoom = false;
+    makeRoom();
+    const int lower = putAt(true);
+    const QRect below = room(true);
+    const int upper = putAt(false);
+    if (std::min(upper, lower) >= kMotors && !isPointerIn(below)) {
+        m_makesRoom = true;
+        putAt(true);
+        if (m_makesRoom)
+            return;
     }
+    const auto used = [this](const QRect &room) { return isInUse(room) ? kUsed : 0; };
+    if (lower + used(below) < upper + used(room(false)))
+        putAt(true);
+}
+
+// The page gets lower by what the banners take of it, if it can; not while something in it is dragged.
+void BannerArea::makeRoom()
+{
+    const bool isWanted = m_makesRoom && m_lower && !m_shown.empty();
+    const int wanted = isWanted ? height() - room(true).top() : 0;
+    const int fits = height() - m_pages.minimumSizeHint().height();
+    if (wanted > fits)
+        m_makesRoom = false;
+    const int given = m_makesRoom ? wanted : 0;
+    if (layout()->contentsMargins().bottom() == given)
+        return;
+    if (QApplication::mouseButtons() != Qt::NoButton) {
+        QTimer::singleShot(kDragged, this, &BannerArea::makeRoom);
+        return;
+    }
+    layout()->setContentsMargins(0, 0, 0, given);
+    layout()->activate();
 }
 
 int BannerArea::heightOf(const QWidget &widget) const
@@ -145,6 +213,7 @@ void BannerArea::place()
         banner.widget->raise();
         next = banner.offset + height + Metric::kGap;
     }
+    makeRoom();
     ClickShield::raiseAll(*this);
 }
 
@@ -178,18 +247,41 @@ bool BannerArea::isInUse(const QRect &room) const
         || (isHere && room.intersects(QRect(focus->mapTo(this, QPoint()), focus->size())));
 }
 
+// The part of a page's widget that is not scrolled away.
+QRect BannerArea::shownPart(const QWidget &widget) const
+{
+    QRect part(widget.mapTo(this, QPoint()), widget.size());
+    for (const QWidget *each = widget.parentWidget(); each && each != this; each = each->parentWidget())
+        part &= QRect(each->mapTo(this, QPoint()), each->size());
+    return part;
+}
+
+int BannerArea::hidden(const QRect &room) const
+{
+    int sum = 0;
+    for (const QWidget *each : m_pages.currentWidget()->findChildren<QWidget *>()) {
+        if (const int weight = each->isVisible() ? weightOf(*each) : 0; weight > 0)
+            sum += room.intersects(shownPart(*each)) ? weight : 0;
+    }
+    return sum;
+}
+
 // Whether motors may turn must be seen at any moment.
 bool BannerArea::hidesState(const QRect &room) const
 {
-    const auto states = m_pages.currentWidget()->findChildren<ArmedState *>();
-    return std::any_of(states.begin(), states.end(), [&](const ArmedState *state) {
-        return state->isVisible() && room.intersects(QRect(state->mapTo(this, QPoint()), state->size()));
-    });
+    return hidden(room) >= kArmed;
+}
+
+// For another page.
+void BannerArea::lookAgain()
+{
+    if (!m_shown.empty() && !isPointerIn(room(m_lower)) && !holds(QApplication::focusWidget()))
+        findPlace();
 }
 
 void BannerArea::uncoverState()
 {
-    if (m_shown.empty() || isPointerIn(room(m_lower)) || holds(QApplication::focusWidget())
+    if (m_shown.empty() || m_makesRoom || isPointerIn(room(m_lower)) || holds(QApplication::focusWidget())
         || !hidesState(room(m_lower)) || hidesState(room(!m_lower)))
         return;
     m_lower = !m_lower;
@@ -213,7 +305,7 @@ void BannerArea::followFocus(QWidget *before, QWidget *now)
         m_before->setFocus(Qt::OtherFocusReason);
         return;
     }
-    if (m_shown.empty() || holds(now) || isPointerIn(room(m_lower)))
+    if (m_shown.empty() || m_makesRoom || holds(now) || isPointerIn(room(m_lower)))
         return;
     const QRect other = room(!m_lower);
     if (isInUse(room(m_lower)) && !isInUse(other) && !hidesState(other)) {

@@ -10,10 +10,11 @@
 
 class QStackedWidget;
 
-/// The room of the page, with messages and questions floating over its upper edge: nothing of the page moves
-/// when one comes or goes. They come at the lower edge instead where the pointer, the keyboard or what
-/// tells whether a drone is armed is at the upper one, and go out of the keyboard's way later; one that
-/// closes moves none of the others. Ctrl+F6 goes to the newest and back, Esc closes it.
+/// The room of the page, with messages and questions floating over its upper edge, or over its lower one
+/// where less is hidden there: what acts, motors, what tells whether a drone is armed, pointer and keyboard.
+/// Where motors would be hidden at either, the page gets lower for them, unless it cannot. They go out of
+/// the keyboard's way later; one that closes moves none of the others. Ctrl+F6 goes to the newest and back,
+/// Esc closes it.
 class BannerArea final : public QWidget
 {
     Q_OBJECT
@@ -45,6 +46,9 @@ private:
     };
     void appear(QWidget *widget);
     void place();
+    void findPlace();
+    void lookAgain();
+    void makeRoom();
     void jump();
     /// Goes to the other edge where there is room that hides less, but never from under the pointer.
     void uncoverState();
@@ -54,6 +58,9 @@ private:
     [[nodiscard]] QRect room(bool lower) const;
     [[nodiscard]] bool isInUse(const QRect &room) const;
     [[nodiscard]] bool hidesState(const QRect &room) const;
+    [[nodiscard]] QRect shownPart(const QWidget &widget) const;
+    /// What would be hidden there, by weight; 0: nothing of importance.
+    [[nodiscard]] int hidden(const QRect &room) const;
     [[nodiscard]] bool isPointerIn(const QRect &room) const;
     [[nodiscard]] int covered() const;
     [[nodiscard]] int headEnd() const;
@@ -67,4 +74,5 @@ private:
     QPointer<QWidget> m_before;  // had the keyboard before a banner
     QPointer<QWidget> m_cover;
     bool m_lower = false;
+    bool m_makesRoom = false;
 };

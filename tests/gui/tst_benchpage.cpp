@@ -47,6 +47,8 @@ private slots:
     void phasesOfTheControllersAreShown();
     void controllersAreCalibratedUntilTheRedButton();
     void armedIsUnmistakable();
+    void messagesLeaveMotorsInSight_data();
+    void messagesLeaveMotorsInSight();
 
 private:
     BenchPage &bench() { return *m_rig->page<BenchPage>(); }
@@ -404,6 +406,48 @@ void TestBenchPage::armedIsUnmistakable()
     QTest::mouseClick(red, Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(overview->state()->state(), State::Disarmed, kPatience);
     QTRY_COMPARE(overview->motors()->outputText(1), u"stands"_s);
+}
+
+void TestBenchPage::messagesLeaveMotorsInSight_data()
+{
+    QTest::addColumn<QString>("key");
+    for (const QString &key : {u"bench"_s, u"flight"_s, u"dashboard"_s})
+        QTest::newRow(qPrintable(key)) << key;
+}
+
+// The page gets lower where motors would be hidden at both edges, and has its room again afterwards.
+void TestBenchPage::messagesLeaveMotorsInSight()
+{
+    QFETCH(const QString, key);
+    MainWindow &window = m_rig->window();
+    window.resize(1280, 800);
+    QVERIFY(calibrate());
+    QVERIFY(window.showPage(key));
+    window.messageBar()->hide();
+    window.offerBar()->clear();
+    QCursor::setPos(window.mapToGlobal(QPoint(40, 400)));
+    QVERIFY(m_rig->isSettled());
+    const Page *page = window.page(key);
+    const QSize before = page->size();
+    const auto placeOf = [&window](const QWidget *widget) {
+        return QRect(widget->mapTo(&window, QPoint()), widget->size());
+    };
+    m_rig->workspace().notifications().notify(u"Something to be looked at."_s, Notice::Attention);
+    QVERIFY(m_rig->isSettled());
+    const QRect message = placeOf(window.messageBar());
+    QVERIFY(window.messageBar()->isVisible());
+    int seen = 0;
+    for (const QWidget *each : page->findChildren<QWidget *>()) {
+        const bool isKept
+            = qobject_cast<const ArmedState *>(each) || qobject_cast<const MotorDiagram *>(each);
+        if (!isKept || !each->isVisible())
+            continue;
+        ++seen;
+        QVERIFY2(!message.intersects(placeOf(each)), each->metaObject()->className());
+    }
+    QCOMPARE(seen, 2);
+    window.messageBar()->hide();
+    QTRY_COMPARE(page->size(), before);
 }
 
 QTEST_MAIN(TestBenchPage)
