@@ -26,6 +26,7 @@
 #include "widgets/views/armedstate.h"
 #include "widgets/views/attitudeview.h"
 #include "widgets/views/batteryview.h"
+#include "widgets/views/stalecover.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -208,9 +209,21 @@ void TestBcflightWindow::noAttitudeBeforeACalibration()
     FlightPage &page = *m_rig->page<FlightPage>();
     QTRY_COMPARE_WITH_TIMEOUT(flightState(m_rig->workspace()), ArmedState::State::NotCalibrated, kPatience);
     QVERIFY(m_rig->boardGoesOn(0.5));
-    const auto *view = page.findChild<AttitudeView *>();
+    auto *view = page.findChild<AttitudeView *>();
     QVERIFY(view);
     QCOMPARE(view->accessibleDescription(), u"No data"_s);
+    // It is said once: the view itself says nothing beneath the words that lie over it.
+    QVERIFY(window().showPage(u"flight"_s));
+    QTRY_VERIFY_WITH_TIMEOUT(StaleCover::isOver(*view), kPatience);
+    const auto own = [view] {
+        QImage image(view->size(), QImage::Format_RGB32);
+        image.fill(Qt::black);
+        view->render(&image, {}, {}, QWidget::RenderFlags());
+        return image;
+    };
+    const QImage drawn = own();
+    view->setPlaceholder({});
+    QCOMPARE(own(), drawn);
     QVERIFY(std::isnan(shownAngles(m_rig->workspace())[0]));
 }
 

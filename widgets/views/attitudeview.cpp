@@ -3,6 +3,7 @@
 #include "widgets/views/attitudeview.h"
 
 #include "widgets/models/numbertext.h"
+#include "widgets/views/stalecover.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -93,7 +94,7 @@ void AttitudeView::paintEvent(QPaintEvent *)
         painter.drawLine(center + QPointF(-60, 0), center + QPointF(-20, 0));
         painter.drawLine(center + QPointF(20, 0), center + QPointF(60, 0));
         painter.drawEllipse(center, 3, 3);
-    } else {
+    } else if (!StaleCover::isOver(*this)) {
         painter.setPen(m_theme.color(ColorRole::Muted));
         painter.drawText(area, Qt::AlignCenter | Qt::TextWordWrap, m_placeholder);
     }

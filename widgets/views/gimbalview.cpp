@@ -5,6 +5,7 @@
 #include "protocol/base/angles.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
+#include "widgets/views/stalecover.h"
 
 #include <QPainter>
 
@@ -317,7 +318,8 @@ void GimbalView::paintEvent(QPaintEvent *)
     const QColor muted = m_theme.color(ColorRole::Muted);
     if (!isKnown()) {
         painter.setPen(muted);
-        painter.drawText(rect(), Qt::AlignCenter, tr("No attitude yet"));
+        if (!StaleCover::isOver(*this))
+            painter.drawText(rect(), Qt::AlignCenter, tr("No attitude yet"));
         return;
     }
     const double scale = std::min(width(), height()) / (2 * (m_pose.frame ? kHalfSpan : kHalfSpanAlone));

@@ -8,6 +8,8 @@
 #include <QPainter>
 #include <QSplitter>
 
+#include <algorithm>
+
 using namespace Qt::StringLiterals;
 
 StaleCover::StaleCover(const Theme &theme, QWidget &view, Look look)
@@ -54,6 +56,14 @@ void StaleCover::setText(const QString &text)
     place();
     raise();
     update();
+}
+
+bool StaleCover::isOver(const QWidget &view)
+{
+    const auto covers = view.findChildren<StaleCover *>(Qt::FindDirectChildrenOnly);
+    return std::any_of(covers.begin(), covers.end(), [](const StaleCover *cover) {
+        return cover->m_look == Look::Veil && !cover->isHidden();
+    });
 }
 
 bool StaleCover::eventFilter(QObject *watched, QEvent *event)

@@ -30,6 +30,8 @@ public:
     /// What is wrong with the data; empty: they are live.
     void setText(const QString &text);
     [[nodiscard]] QString text() const { return m_text; }
+    /// Words stand over the middle of this view: it draws none there itself.
+    [[nodiscard]] static bool isOver(const QWidget &view);
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 protected:

@@ -32,7 +32,8 @@ constexpr double kShare = 100;
 constexpr double kFaint = 0.35;
 constexpr int kChartHeight = 132;
 constexpr double kRoomAbove = 1.6;  // of the step
-constexpr double kRoomBelow = -0.3;
+constexpr double kRoomBelow = -0.4;
+constexpr int kParts = 5;  // of the step, each 0.4
 
 }  // namespace
 
@@ -64,8 +65,10 @@ StickStepCard::StickStepCard(Workspace &workspace, QWidget *parent)
         label->setObjectName(u"muted"_s);
     }
     m_chart->setMinimumHeight(kChartHeight);
-    m_chart->setScales({.title = tr("Time (s)"), .low = 0, .high = seconds(kHold)},
-                       {.title = {}, .low = kRoomBelow, .high = kRoomAbove});
+    // The unit is in the numbers: a title beneath them would need a line that low windows do not have.
+    m_chart->setScales(
+        {.title = {}, .low = 0, .high = seconds(kHold), .labelFormat = tr("%.1f s")},
+        {.title = {}, .low = kRoomBelow, .high = kRoomAbove, .labelFormat = u"%.1f"_s, .steps = kParts});
     m_chart->setHint(tr("Arm it, give it throttle, then push the stick."));
     auto *grid = new QGridLayout;
     grid->setHorizontalSpacing(Metric::kGap);
