@@ -739,6 +739,10 @@
             <numerusform>Seine Zellen zählen: hat er %n, die Alarmschwelle des Akkus im Board berichtigen; hat er mehr, ihn wechseln.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Battery below the alarm</source>
+        <translation>Akku unter der Alarmschwelle</translation>
+    </message>
 </context>
 <context>
     <name>ArgumentForm</name>
@@ -10948,10 +10952,6 @@ Spitze %2°</translation>
         <translation>Drückt den Knüppel dieser Achse einige Sekunden lang abwechselnd nach beiden Seiten. Vorher Gas geben. Ein Teststand muss sie halten.</translation>
     </message>
     <message>
-        <source>Time (s)</source>
-        <translation>Zeit (s)</translation>
-    </message>
-    <message>
         <source>Arm it, give it throttle, then push the stick.</source>
         <translation>Scharfschalten, Gas geben, dann den Knüppel drücken.</translation>
     </message>
@@ -10986,6 +10986,10 @@ Spitze %2°</translation>
     <message>
         <source>Push the stick: throttle first</source>
         <translation>Knüppel drücken: erst Gas geben</translation>
+    </message>
+    <message>
+        <source>%.1f s</source>
+        <translation>%.1f s</translation>
     </message>
 </context>
 <context>

@@ -92,7 +92,7 @@ void Alarms::onAlarm(const AlarmReport &report)
         }
         m_times.insert(report.number, times);
         m_reports.prepend(report);
-        m_marks.add(PlotMark::Kind::Fault, u"%1: %2"_s.arg(alarmName(report.alarm.kind), text(report).what));
+        m_marks.add(PlotMark::Kind::Fault, u"%1: %2"_s.arg(alarmName(report.alarm), text(report).what));
         if (m_settings.alarmSound())
             QApplication::beep();
     }

@@ -464,6 +464,7 @@ void TestAlarms::everyAlarmHasWords()
     battery.alarm.limit = 14;
     battery.alarm.cells = 3;
     const ErrorText told = describe(battery, nullptr);
+    QCOMPARE(alarmName(battery.alarm), u"Battery below the alarm"_s);
     QVERIFY2(told.what.contains(u"12.3"_s) && told.what.contains(u"14.0"_s), qPrintable(told.what));
     QVERIFY2(told.meaning.contains(u"4.10"_s) && told.cure.contains(u"if it has 3"_s), qPrintable(told.cure));
     // What is over goes on no more, and what nobody watches any longer is not called quiet.

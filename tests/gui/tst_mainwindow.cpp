@@ -503,7 +503,7 @@ void TestMainWindow::dashboardShowsFaults()
         for (const QLabel *label : dashboard->findChildren<QLabel *>())
             text += label->text();
         return text.contains(u"No IMU"_s) && text.contains(u"Check the sensor cable"_s)
-            && text.contains(u"Battery is empty"_s);
+            && text.contains(u"Battery below its cut-off"_s);
     }());
 }
 

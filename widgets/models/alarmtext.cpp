@@ -288,6 +288,12 @@ QString alarmName(AlarmKind kind)
     return {};
 }
 
+QString alarmName(const Alarm &alarm)
+{
+    return alarm.cause == AlarmCause::OtherBattery ? AlarmText::tr("Battery below the alarm")
+                                                   : alarmName(alarm.kind);
+}
+
 QString unwatchedText(const std::vector<Unwatched> &missing)
 {
     QStringList texts;

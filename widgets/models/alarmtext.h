@@ -17,6 +17,8 @@ class ParameterSet;
 
 /// The kind of an alarm as a heading: "Runaway".
 [[nodiscard]] QString alarmName(AlarmKind kind);
+/// That of its kind, or of its cause where the kind would say too much.
+[[nodiscard]] QString alarmName(const Alarm &alarm);
 
 /// What cannot be watched for, with the reasons; empty if there is nothing of the kind.
 [[nodiscard]] QString unwatchedText(const std::vector<Unwatched> &missing);

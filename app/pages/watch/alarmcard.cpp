@@ -19,7 +19,7 @@ AlarmCard::AlarmCard(Alarms &alarms, const AlarmReport &report)
     setObjectName(u"alarmCard"_s);
     setProperty("over", report.isOver);
     const ErrorText text = alarms.text(report);
-    setAccessibleName(alarmName(report.alarm.kind));
+    setAccessibleName(alarmName(report.alarm));
     setAccessibleDescription(text.oneLine());
     const auto label = [](const QString &words, const char *name) {
         auto *made = new QLabel(words);
@@ -29,10 +29,10 @@ AlarmCard::AlarmCard(Alarms &alarms, const AlarmReport &report)
     };
     const QString when = QLocale().toString(report.at.time(), u"HH:mm:ss"_s);
     auto *title
-        = label((report.isOver ? tr("%1, %2, over") : tr("%1, %2")).arg(alarmName(report.alarm.kind), when),
+        = label((report.isOver ? tr("%1, %2, over") : tr("%1, %2")).arg(alarmName(report.alarm), when),
                 report.isOver ? "muted" : "error");
     auto *acknowledge = new QPushButton(tr("Acknowledge"));
-    acknowledge->setAccessibleName(tr("Acknowledge: %1").arg(alarmName(report.alarm.kind)));
+    acknowledge->setAccessibleName(tr("Acknowledge: %1").arg(alarmName(report.alarm)));
     // Not at once: the card goes with it.
     connect(
         acknowledge, &QPushButton::clicked, &alarms,

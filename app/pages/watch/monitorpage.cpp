@@ -207,8 +207,8 @@ void MonitorPage::onStore()
     m_tree->expandToDepth(0);
     for (int row = 3; row < m_channels.rowCount(); ++row)
         m_tree->collapse(m_channels.index(row, 0));
-    m_tree->setColumnWidth(ChannelModel::ValueColumn, 64);
-    m_tree->setColumnWidth(ChannelModel::UnitColumn, 44);
+    m_tree->setColumnWidth(ChannelModel::ValueColumn, 80);
+    m_tree->setColumnWidth(ChannelModel::UnitColumn, 36);
     showPlots();
 }
 
