@@ -33,7 +33,7 @@ constexpr double kFaint = 0.35;
 constexpr int kChartHeight = 132;
 constexpr double kRoomAbove = 1.6;  // of the step
 constexpr double kRoomBelow = -0.4;
-constexpr int kParts = 5;  // of the step, each 0.4
+constexpr int kGridParts = 5;  // of the step, each 0.4
 
 }  // namespace
 
@@ -68,7 +68,7 @@ StickStepCard::StickStepCard(Workspace &workspace, QWidget *parent)
     // The unit is in the numbers: a title beneath them would need a line that low windows do not have.
     m_chart->setScales(
         {.title = {}, .low = 0, .high = seconds(kHold), .labelFormat = tr("%.1f s")},
-        {.title = {}, .low = kRoomBelow, .high = kRoomAbove, .labelFormat = u"%.1f"_s, .steps = kParts});
+        {.title = {}, .low = kRoomBelow, .high = kRoomAbove, .labelFormat = u"%.1f"_s, .steps = kGridParts});
     m_chart->setHint(tr("Arm it, give it throttle, then push the stick."));
     auto *grid = new QGridLayout;
     grid->setHorizontalSpacing(Metric::kGap);
