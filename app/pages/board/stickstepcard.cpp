@@ -31,9 +31,9 @@ constexpr int kFigureDecimals = 2;
 constexpr double kShare = 100;
 constexpr double kFaint = 0.35;
 constexpr int kChartHeight = 132;
-constexpr double kRoomAbove = 1.6;  // of the step
-constexpr double kRoomBelow = -0.4;
-constexpr int kGridParts = 5;  // of the step, each 0.4
+constexpr double kRoomAbove = 1.5;  // of the step
+constexpr double kRoomBelow = -0.5;
+constexpr int kGridParts = 4;  // with room for their numbers in a low window
 
 }  // namespace
 
