@@ -7968,12 +7968,12 @@
         <translation>Der Versuch mit %1 wurde beendet, bevor er etwas zeigen konnte.</translation>
     </message>
     <message>
-        <source>The trial of %1 was cut off and the notch is still on the board: the values from before are written back.</source>
-        <translation>Der Versuch mit %1 brach ab, und der Kerbfilter ist noch auf dem Board: die Werte von vorher werden zurückgeschrieben.</translation>
-    </message>
-    <message>
         <source>A search, measurement or calibration is running.</source>
         <translation>Eine Suche, Messung oder Kalibrierung läuft.</translation>
+    </message>
+    <message>
+        <source>A trial was cut off, and what was tried is still on the board (%1): the values from before are written back.</source>
+        <translation>Ein Versuch wurde abgebrochen, und was versucht wurde, ist noch auf dem Board (%1): die Werte von vorher werden zurückgeschrieben.</translation>
     </message>
 </context>
 <context>

@@ -5,18 +5,14 @@
 #include "app/workspace/boardwriter.h"
 #include "app/workspace/linkmarks.h"
 #include "app/workspace/notifications.h"
-#include "app/workspace/settings.h"
 #include "app/workspace/telemetrysubscriptions.h"
 #include "protocol/client/deviceclient.h"
+#include "protocol/procedure/trialnote.h"
 #include "protocol/record/boardhistory.h"
 #include "widgets/forms/editstack.h"
 #include "widgets/models/livemodel.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
-
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +29,7 @@ constexpr double kTrialSeconds = 6.0;
 
 NotchAdviser::NotchAdviser(DeviceClient &client, ConfigurationModel &configuration, LiveModel &live,
                            EditStack &edits, BoardWriter &writer, const BoardHistory &history,
-                           Notifications &notifications, Settings &settings,
-                           TelemetrySubscriptions &telemetry, LinkMarks &marks)
+                           Notifications &notifications, TelemetrySubscriptions &telemetry, LinkMarks &marks)
     : m_client(client)
     , m_configuration(configuration)
     , m_live(live)
@@ -42,7 +37,6 @@ NotchAdviser::NotchAdviser(DeviceClient &client, ConfigurationModel &configurati
     , m_writer(writer)
     , m_history(history)
     , m_notifications(notifications)
-    , m_settings(settings)
     , m_telemetry(telemetry)
     , m_marks(marks)
 {
@@ -171,7 +165,6 @@ void NotchAdviser::start(const Plan &plan)
     trial.wanted = plan.appliedTo(board);
     m_stop = std::make_shared<std::atomic<bool>>(false);
     m_live.hold();
-    noteTrial(plan, board);
     // The samples must come whether a page shows them or not.
     m_telemetry.subscribe(this, [this] {
         const ChannelRoles &roles = m_client.roles();
@@ -202,7 +195,6 @@ void NotchAdviser::onResult(const Plan &plan, const Result<NotchTrialResult> &re
     m_telemetry.subscribe(this, [] { return QList<int>(); });
     m_marks.add(PlotMark::Kind::Note, tr("Trial of a notch is over"));
     if (!result) {
-        m_settings.setCutTrial(boardName(), {});
         m_outcome = tr("%1 was not tried; nothing was changed on the board.").arg(name(plan));
         if (result.error().code == ErrorCode::Cancelled)
             m_notifications.notify(m_outcome, Notice::Hint);
@@ -220,8 +212,6 @@ void NotchAdviser::tell(const Plan &plan, const NotchTrialResult &result)
     const QString back = result.isTakenBack
         ? tr("The values from before are back on the board.")
         : tr("The notch could not be taken back; that is done when this board is read again.");
-    if (result.isTakenBack)
-        m_settings.setCutTrial(boardName(), {});
     const Vibration &before = result.before;
     const Vibration &after = result.after;
     const QString figures
@@ -281,47 +271,25 @@ void NotchAdviser::tell(const Plan &plan, const NotchTrialResult &result)
         emit readWanted();
 }
 
-QString NotchAdviser::boardName() const
-{
-    const BoardIdentity &identity = m_client.identity();
-    return identity.serial.isEmpty() ? u"-"_s : identity.serial;
-}
-
-// Kept on the disk until the old values are proven to be back: the program may end in the middle.
-void NotchAdviser::noteTrial(const Plan &plan, const Configuration &board)
-{
-    QJsonArray values;
-    for (const ParameterChange &change : board.changesTo(plan.appliedTo(board)))
-        values.append(
-            QJsonObject{{u"key"_s, change.spec->key}, {u"old"_s, change.from}, {u"trial"_s, change.to}});
-    const QJsonObject note{{u"name"_s, name(plan)}, {u"profile"_s, plan.profile}, {u"values"_s, values}};
-    m_settings.setCutTrial(boardName(), QJsonDocument(note).toJson(QJsonDocument::Compact));
-}
-
 // After the board was read: values of a trial that was cut off give way to those from before.
 void NotchAdviser::makeGood()
 {
-    const QByteArray kept = m_settings.cutTrial(boardName());
-    if (kept.isEmpty() || isRunning() || !m_client.isConnected() || !m_client.identity().writable
-        || m_writer.isWriting())
+    if (m_live.isHeld() || !m_client.isConnected() || !m_client.identity().writable || m_writer.isWriting())
         return;
-    const QJsonObject note = QJsonDocument::fromJson(kept).object();
+    const auto note = keptTrial(m_history, m_client.identity());
+    if (!note)
+        return;
     const Configuration &board = std::as_const(m_configuration).board();
-    Configuration old = board;
-    const int profile = note[u"profile"_s].toInt();
-    for (const QJsonValue &each : note[u"values"_s].toArray()) {
-        const ParameterSpec *spec = board.parameters().find(each[u"key"_s].toString());
-        if (spec && sameValue(board.raw(*spec, profile), each[u"trial"_s].toDouble()))
-            std::ignore = old.setRaw(*spec, profile, each[u"old"_s].toDouble());
-    }
-    if (board.changesTo(old).empty()) {
-        m_settings.setCutTrial(boardName(), {});
+    const Configuration old = note->madeGood(board);
+    const auto left = board.changesTo(old);
+    if (left.empty()) {
+        dropTrial(m_history, m_client.identity());
         return;
     }
-    m_notifications.notify(tr("The trial of %1 was cut off and the notch is still on the board: "
-                              "the values from before are written "
-                              "back.")
-                               .arg(note[u"name"_s].toString()),
-                           Notice::Attention);
+    m_notifications.notify(
+        tr("A trial was cut off, and what was tried is still on the board (%1): the values "
+           "from before are written back.")
+            .arg(parameterLabel(*left.front().spec)),
+        Notice::Attention);
     m_writer.write(old);
 }

@@ -19,7 +19,6 @@ class EditStack;
 class LinkMarks;
 class LiveModel;
 class Notifications;
-class Settings;
 class TelemetrySubscriptions;
 
 /// Judges notches before they are offered, tries them on the board and tells what came out. A trial always
@@ -32,7 +31,7 @@ class NotchAdviser final : public QObject
 public:
     NotchAdviser(DeviceClient &client, ConfigurationModel &configuration, LiveModel &live, EditStack &edits,
                  BoardWriter &writer, const BoardHistory &history, Notifications &notifications,
-                 Settings &settings, TelemetrySubscriptions &telemetry, LinkMarks &marks);
+                 TelemetrySubscriptions &telemetry, LinkMarks &marks);
     ~NotchAdviser() override;
 
     using Plan = NotchPlan;
@@ -72,8 +71,6 @@ private:
     [[nodiscard]] QString name(const Plan &plan) const;
     void onResult(const Plan &plan, const Result<NotchTrialResult> &result);
     void tell(const Plan &plan, const NotchTrialResult &result);
-    void noteTrial(const Plan &plan, const Configuration &board);
-    [[nodiscard]] QString boardName() const;
 
     DeviceClient &m_client;
     ConfigurationModel &m_configuration;
@@ -82,7 +79,6 @@ private:
     BoardWriter &m_writer;
     const BoardHistory &m_history;
     Notifications &m_notifications;
-    Settings &m_settings;
     TelemetrySubscriptions &m_telemetry;
     LinkMarks &m_marks;
     std::shared_ptr<std::atomic<bool>> m_stop;  // of the running trial

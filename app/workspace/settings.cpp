@@ -28,7 +28,6 @@ const QString Settings::kLastAddress = u"link/lastAddress"_s;
 const QString Settings::kRecentAddresses = u"link/recentAddresses"_s;
 const QString Settings::kRecentFiles = u"files/recent"_s;
 const QString Settings::kLayout = u"layout/"_s;
-const QString Settings::kCutTrials = u"trials/"_s;
 const QString Settings::kGamepads = u"gamepads/"_s;
 const QString Settings::kChosenGamepad = u"control/chosenGamepad"_s;
 const QString Settings::kGamepadSteers = u"control/gamepad"_s;
@@ -271,15 +270,6 @@ void Settings::setPlotLayout(const QString &name, const QByteArray &json)
         layouts.insert(name, json);
     m_file.setValue(kPlotLayouts, layouts);
     checkSoon();
-}
-
-void Settings::setCutTrial(const QString &board, const QByteArray &note)
-{
-    if (note.isEmpty())
-        m_file.remove(kCutTrials + board);
-    else
-        m_file.setValue(kCutTrials + board, note);
-    m_file.sync();
 }
 
 void Settings::setGamepad(const QByteArray &key, const QByteArray &json)

@@ -86,13 +86,6 @@ public:
     /// Keeps an arrangement under a name; an empty one forgets it.
     void setPlotLayout(const QString &name, const QByteArray &json);
 
-    /// What a trial may have left on a board when it was cut off, by the board's serial number; empty: none.
-    [[nodiscard]] QByteArray cutTrial(const QString &board) const
-    {
-        return m_file.value(kCutTrials + board).toByteArray();
-    }
-    void setCutTrial(const QString &board, const QByteArray &note);
-
     /// What the sticks of a kind of gamepad are used for, as it was kept; empty: not set up.
     [[nodiscard]] QByteArray gamepad(const QByteArray &key) const
     {
@@ -124,8 +117,8 @@ signals:
 private:
     static const QString kTheme, kLanguage, kFahrenheit, kRetention, kEscapeHold, kSpeedLimit, kDisarm,
         kMotorsOffOnQuit, kAskAboutMotors, kAlarmSound, kSupervisor, kLastAddress, kRecentAddresses,
-        kRecentFiles, kLayout, kPlotLayouts, kCutTrials, kGamepads, kGamepadSteers, kChosenGamepad,
-        kDirections, kVideoAddress, kVideoFolder;
+        kRecentFiles, kLayout, kPlotLayouts, kGamepads, kGamepadSteers, kChosenGamepad, kDirections,
+        kVideoAddress, kVideoFolder;
     void set(const QString &key, const QVariant &value);
     void addRecent(const QString &key, const QString &text);
     struct Range

@@ -279,8 +279,8 @@ private:
     mutable std::unique_ptr<Device> m_tables;  // of the file's family, while no board is connected
     mutable QString m_tablesOf;
     Confirmations m_confirmations;
-    NotchAdviser m_notches{m_client,  m_configuration, m_live,     m_edits,     m_writer,
-                           m_history, m_notifications, m_settings, m_telemetry, m_linkMarks};
+    NotchAdviser m_notches{m_client,  m_configuration, m_live,      m_edits,    m_writer,
+                           m_history, m_notifications, m_telemetry, m_linkMarks};
     QString m_videoRecording;
     Gamepad m_gamepad;
     bool m_unstored = false;

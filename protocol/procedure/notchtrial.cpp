@@ -4,6 +4,8 @@
 
 #include "protocol/analysis/notchadvice.h"
 #include "protocol/analysis/spectrum.h"
+#include "protocol/procedure/trialnote.h"
+#include "protocol/session/channel.h"
 #include "protocol/telemetry/roles.h"
 #include "protocol/telemetry/uniformsamples.h"
 
@@ -95,9 +97,13 @@ Result<NotchTrialResult> NotchTrial::run()
         return tl::unexpected(before.error());
     m_result.before = (*before)[std::size_t(m_plan.axis)];
 
+    if (const auto kept = keepTrial(*m_options.history, m_plan.base, m_plan.wanted); !kept)
+        return tl::unexpected(kept.error());
     auto written = writeConfiguration(m_channel, m_device, m_plan.base, m_plan.wanted, m_options);
-    if (!written)
+    if (!written) {
+        dropTrial(*m_options.history, m_device.identity());
         return tl::unexpected(written.error());
+    }
     m_result.lastWrite = std::move(*written);
     if (!m_result.lastWrite.isComplete()) {
         m_result.ended = m_result.lastWrite.error;
@@ -123,6 +129,8 @@ Result<void> NotchTrial::prepare()
 {
     if (!m_device.identity().writable)
         return failure(ErrorCode::ReadOnly, m_device.identity().firmware);
+    if (!m_options.history)
+        return failure(ErrorCode::NoBackup);
     if (m_plan.axis == Axis::None || m_roles.gyro[std::size_t(m_plan.axis)] < 0)
         return failure(ErrorCode::Unsupported, u"the board sends no angular rate of this axis"_s);
     if (m_roles.outputs >= 0 && !(double(m_telemetry.latest(m_roles.outputs)) > 0.5))
@@ -204,19 +212,24 @@ Result<NotchTrial::Figures> NotchTrial::measure(double from) const
     return figures;
 }
 
-// Until the board says that it holds the old values again, or cannot be asked any more.
+// Until the board says that it holds the old values again, or cannot be asked any more; even after a cancel.
 void NotchTrial::takeBack()
 {
+    const auto note = keptTrial(*m_options.history, m_device.identity());
+    const Unbroken unbroken(m_channel);
     WriteOptions options = m_options;
     options.backupDone = true;
-    for (int attempt = 0; attempt < kAttempts && !m_result.isTakenBack; ++attempt) {
-        const Configuration &now = m_result.lastWrite.onBoard;
-        auto back = writeConfiguration(m_channel, m_device, now, m_plan.base, options);
+    for (int attempt = 0; note && attempt < kAttempts && !m_result.isTakenBack; ++attempt) {
+        const auto now = m_device.readConfiguration(m_channel);
+        auto back = now ? writeConfiguration(m_channel, m_device, *now, note->madeGood(*now), options)
+                        : Result<WriteReport>(tl::unexpected(now.error()));
         if (!back)
             continue;
         m_result.lastWrite = std::move(*back);
         m_result.isTakenBack = m_result.lastWrite.isComplete();
     }
+    if (m_result.isTakenBack)
+        dropTrial(*m_options.history, m_device.identity());
 }
 
 void NotchTrial::judge(const Figures &before, const Figures &after)

@@ -49,7 +49,8 @@ struct NotchTrialResult
 
 /// Tries a notch: measures the axis, writes the notch with a safety copy (verified), measures again over an
 /// equal span, and writes the old values back, whatever came out: to keep it is the operator's decision.
-/// Oscillation of any axis ends it at once. It runs on the worker and needs nobody to look on.
+/// Until they are back, a TrialNote is kept. Oscillation of any axis ends it at once. It runs on the worker
+/// and needs nobody to look on.
 /// @param stop ends the trial early when set; the old values are written back then too.
 /// Errors, with nothing changed on the board: ReadOnly, Unsupported (no gyro), Unready (motors off, no
 /// telemetry), TooFewSamples, Cancelled, and those of writeConfiguration().

@@ -88,6 +88,11 @@ QString BoardHistory::setupFile(const QString &serial) const
     return folder(serial) + u"/setup.json"_s;
 }
 
+QString BoardHistory::trialFile(const QString &serial) const
+{
+    return folder(serial) + u"/trial.json"_s;
+}
+
 Result<void> BoardHistory::saveUnsaved(const Configuration &base, const QJsonObject &edits) const
 {
     const QDir dir(folder(base.identity().serial) + u'/' + kUnsavedFolder);

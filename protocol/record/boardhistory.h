@@ -39,6 +39,8 @@ public:
 
     /// Where it is kept how far the set-up of a board has come.
     [[nodiscard]] QString setupFile(const QString &serial) const;
+    /// Where it is kept what a board holds on trial.
+    [[nodiscard]] QString trialFile(const QString &serial) const;
 
     /// Edits that never reached the board, kept beside its snapshots to survive a crash: any JSON the program
     /// makes of them, and the configuration they started from. Errors: BadFile.

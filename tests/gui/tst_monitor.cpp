@@ -6,6 +6,7 @@
 #include "app/pages/tune/spectrumpage.h"
 #include "app/pages/watch/monitorpage.h"
 #include "protocol/device/abilities.h"
+#include "protocol/procedure/trialnote.h"
 #include "protocol/session/linkstatistics.h"
 #include "protocol/simulator/world/plant.h"
 #include "protocol/telemetry/streams.h"
@@ -244,7 +245,7 @@ void TestMonitor::cutTrialIsMadeGood()
     m_rig->workspace().readBoard();
     QVERIFY(m_rig->jobsAreDone());
     QVERIFY(!hasNotch(Axis::Pitch));
-    QVERIFY(m_rig->settings().cutTrial(m_rig->client().identity().serial).isEmpty());
+    QVERIFY(!keptTrial(m_rig->workspace().history(), m_rig->client().identity()));
 }
 
 void TestMonitor::notchTakesTheResonanceAway()

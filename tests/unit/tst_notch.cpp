@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/analysis/notchadvice.h"
 #include "protocol/procedure/notchtrial.h"
+#include "protocol/procedure/trialnote.h"
 #include "protocol/telemetry/roles.h"
 #include "protocol/telemetry/uniformsamples.h"
 #include "tests/support/virtualboard.h"
@@ -162,7 +163,8 @@ private slots:
     void uselessNotchIsNoBetter();
     void endedInTheMiddle_data();
     void endedInTheMiddle();
-    void cutOffIsSaid();
+    void cancelledItIsTakenBack();
+    void cutOffIsMadeGood();
     void nothingIsTriedWithMotorsOff();
     void adviceAfterAutoTuneDoesNotHarm_data();
     void adviceAfterAutoTuneDoesNotHarm();
@@ -334,19 +336,52 @@ void TestNotch::endedInTheMiddle()
     QVERIFY(bench.holdsWhatItHeld(Axis::Pitch));
 }
 
-void TestNotch::cutOffIsSaid()
+// Whoever cancels the job it runs in does not want the notch either.
+void TestNotch::cancelledItIsTakenBack()
 {
     Bench bench(shaken(1), {{{35, 15, 30}, {35, 15, 30}, {35, 15, 30}}});
     bool done = false;
     bench.board.channel.setOperator([&](const Progress &progress) {
-        if (!std::exchange(done, progress.step == u"measure-after"_s))
-            return;
-        bench.board.channel.cancelAfter(0ms);
+        if (progress.step == u"measure-after"_s && !std::exchange(done, true))
+            bench.board.channel.cancelAfter(0ms);
     });
     const auto result = bench.tryIt(bench.planFor(Axis::Pitch, 150.0));
-    QVERIFY(result);
+    QVERIFY(done && result && result->ended && result->ended->code == ErrorCode::Cancelled);
+    QVERIFY(result->isTakenBack);
+    QVERIFY(!keptTrial(bench.history, bench.base.identity()));
+    QCOMPARE(bench.board.board().stored(u"filter.pitch.notch1.frequency"_s, 0), 0);
+}
+
+// By the end of the link, as of the program: the note that is kept from before the write makes it good.
+void TestNotch::cutOffIsMadeGood()
+{
+    Bench bench(shaken(1), {{{35, 15, 30}, {35, 15, 30}, {35, 15, 30}}});
+    bool done = false;
+    bench.board.channel.setOperator([&](const Progress &progress) {
+        if (progress.step == u"measure-after"_s && !std::exchange(done, true))
+            std::ignore = bench.board.port.change(u"unplug=0"_s);
+    });
+    const auto result = bench.tryIt(bench.planFor(Axis::Pitch, 150.0));
+    QVERIFY(done && result);
     QCOMPARE(int(result->verdict), int(NotchTrialResult::Verdict::Ended));
     QVERIFY(!result->isTakenBack);
+    QVERIFY(bench.board.board().stored(u"filter.pitch.notch1.frequency"_s, 0) > 0);
+    QVERIFY(keptTrial(bench.history, bench.base.identity()));
+    // The same board is connected again.
+    VirtualBoard again;
+    QVERIFY(again.identify());
+    for (const char *key : {"frequency", "width", "gain"}) {
+        const QString name = u"filter.pitch.notch1."_s + QLatin1String(key);
+        again.board().store(name, 0, bench.board.board().stored(name, 0));
+    }
+    const int gain = again.board().stored(u"pid.roll.p"_s, 0);
+    const auto board = again.device.readConfiguration(again.channel);
+    QVERIFY(board);
+    const auto undone = makeTrialGood(again.channel, again.device, bench.history, *board);
+    QVERIFY(undone && undone->contains(u"filter.pitch.notch1.frequency"_s));
+    QCOMPARE(again.board().stored(u"filter.pitch.notch1.frequency"_s, 0), 0);
+    QCOMPARE(again.board().stored(u"pid.roll.p"_s, 0), gain);
+    QVERIFY(!keptTrial(bench.history, bench.base.identity()));
 }
 
 void TestNotch::nothingIsTriedWithMotorsOff()
