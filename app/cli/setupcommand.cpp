@@ -3,6 +3,7 @@
 #include "app/cli/actioncommand.h"
 #include "protocol/base/filefault.h"
 #include "protocol/guide/setupguide.h"
+#include "protocol/procedure/trialnote.h"
 
 #include <algorithm>
 
@@ -83,7 +84,18 @@ protected:
         if (!record)
             return tl::unexpected(record.error());
         CommandOutcome outcome;
-        if (const auto board = device.readConfiguration(channel); board && record->compare(*board))
+        auto board = device.readConfiguration(channel);
+        const auto undone = board && device.identity().writable
+            ? makeTrialGood(channel, device, history(), *board)
+            : Result<QStringList>(QStringList());
+        if (!undone)
+            return tl::unexpected(undone.error());
+        if (!undone->isEmpty()) {
+            emit told(u"a trial was cut off, and what was tried was still on the board: the old values are "
+                      "written back (%1)"_s.arg(undone->join(u", "_s)));
+            board = device.readConfiguration(channel);
+        }
+        if (board && record->compare(*board))
             emit told(
                 u"the board holds other values than some steps had written: they are to be done again"_s);
         if (!arguments().isEmpty()) {

@@ -26,7 +26,6 @@ struct SetupKeys
     QString axisUp;
     QString axisRight;
     QString poles;
-    QString inverted;
     QString lowest;  ///< degrees that steering reaches
     QString highest;
     // Actions.
@@ -34,7 +33,6 @@ struct SetupKeys
     QString calibrateLevel;  ///< its reply has "acc.error.before" and "acc.error.after", g
     QString findPoles;
     QString autoTune;
-    QStringList gains;  ///< of an axis, which the board's own search sets
     std::vector<GimbalUse> uses;
 };
 

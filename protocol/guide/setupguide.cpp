@@ -5,6 +5,7 @@
 #include "protocol/device/device.h"
 #include "protocol/procedure/motorsnow.h"
 #include "protocol/procedure/safeaction.h"
+#include "protocol/procedure/trialnote.h"
 #include "protocol/procedure/writeconfiguration.h"
 #include "protocol/session/channel.h"
 #include "protocol/session/stopplan.h"
@@ -180,6 +181,8 @@ Result<double> SetupGuide::average(int channel, double seconds)
         u"setup-measure"_s);
     if (!watched)
         return tl::unexpected(watched.error());
+    if (const auto news = awaitNews({channel}); !news)  // what came last may be old
+        return tl::unexpected(news.error());
     if (count == 0)
         return failure(ErrorCode::Unready, u"no telemetry"_s);
     return sum / count;
@@ -194,13 +197,19 @@ void SetupGuide::list(const Configuration &base, const Configuration &edited, Se
 
 Result<void> SetupGuide::write(const Configuration &base, const Configuration &edited, SetupResult &result)
 {
-    const Unbroken unbroken(m_channel);
-    return writeUnbroken(base, edited, result);
+    const auto written = writeOnTrial(base, edited, result);
+    if (!written)
+        return tl::unexpected(takenBack(written.error()));
+    dropTrial(m_history, m_device.identity());
+    return {};
 }
 
-Result<void> SetupGuide::writeUnbroken(const Configuration &base, const Configuration &edited,
-                                       SetupResult &result)
+Result<void> SetupGuide::writeOnTrial(const Configuration &base, const Configuration &edited,
+                                      SetupResult &result)
 {
+    if (const auto kept = keepTrial(m_history, base, edited); !kept)
+        return kept;
+    const Unbroken unbroken(m_channel);
     const auto report
         = writeConfiguration(m_channel, m_device, base, edited, {.history = &m_history, .live = m_live});
     if (!report)
@@ -212,32 +221,14 @@ Result<void> SetupGuide::writeUnbroken(const Configuration &base, const Configur
     return {};
 }
 
-// What somebody else has changed meanwhile is none of the step's business.
-Result<void> SetupGuide::takeBack(const QStringList &patterns, const Configuration &base, SetupResult &result)
+Error SetupGuide::takenBack(const Error &why)
 {
     const Unbroken unbroken(m_channel);
     const auto now = m_device.readConfiguration(m_channel);
-    if (!now)
-        return tl::unexpected(now.error());
-    Configuration back = *now;
-    for (const QString &pattern : patterns) {
-        for (const Axis axis : kAxes) {
-            const bool isOfAxis = pattern.contains(u'%');
-            const ParameterSpec *spec = find(pattern, isOfAxis ? axis : Axis::None);
-            if (const auto copied = spec ? back.copyRaw(*spec, now->activeProfile(), base) : Result<void>();
-                !copied)
-                return tl::unexpected(copied.error());
-        }
-    }
-    return now->changesTo(back).empty() ? Result<void>() : writeUnbroken(*now, back, result);
-}
-
-Error SetupGuide::takenBack(const QStringList &patterns, const Configuration &base, const Error &why)
-{
-    SetupResult undone;
-    if (takeBack(patterns, base, undone))
+    if (now && makeTrialGood(m_channel, m_device, m_history, *now))
         return why;
-    return {ErrorCode::NotRestored, u"%1; the copy made before has the old values"_s.arg(why.detail)};
+    return {ErrorCode::NotRestored,
+            u"%1; the old values are written back when the board is connected again"_s.arg(why.detail)};
 }
 
 Result<void> SetupGuide::requireMotors()
@@ -442,10 +433,26 @@ Result<SetupResult> SetupGuide::motors()
                                    *is == *was ? std::nullopt : std::optional(spec->toDisplay(*was))});
     }
     result.remarks = QStringList{result.changes.isEmpty() ? u"motors.same"_s : u"motors.changed"_s};
-    // They run, and are watched: what was found has to hold the camera.
+    auto run = keepTrial(m_history, *base, *now);
+    if (run)
+        run = runMotors(result);
+    if (!run) {
+        // Whoever gives it up does not leave what nobody has seen to hold.
+        m_channel.stopMotors(m_device.stopPlan());
+        return tl::unexpected(takenBack(run.error()));
+    }
+    dropTrial(m_history, m_device.identity());
+    return result;
+}
+
+// They run, and are watched: what was found has to hold the camera.
+Result<void> SetupGuide::runMotors(SetupResult &result)
+{
     m_channel.allowMotors();
     if (const auto on = m_device.motorSwitch()->switchMotorsOn(m_channel); !on)
         return tl::unexpected(on.error());
+    if (const auto news = awaitNews(ChannelRoles::present({m_roles.angle})); !news)
+        return news;
     Figures strays{};
     const auto look = [&]() -> Result<void> {
         for (const Axis axis : {Axis::Roll, Axis::Pitch}) {
@@ -460,16 +467,10 @@ Result<SetupResult> SetupGuide::motors()
         }
         return {};
     };
-    auto watched = awaitNews(ChannelRoles::present({m_roles.angle}));
-    if (watched)
-        watched = watch(kRunSeconds, look, u"setup-run"_s);
-    if (!watched) {
-        // Whoever gives it up does not leave what nobody has seen to hold.
-        m_channel.stopMotors(m_device.stopPlan());
-        return tl::unexpected(watched.error());
-    }
+    if (const auto watched = watch(kRunSeconds, look, u"setup-run"_s); !watched)
+        return watched;
     for (const Axis axis : {Axis::Roll, Axis::Pitch})
         result.figures.append({setupFigureKey("strays", axis), strays[std::size_t(axis)]});
     result.remarks.append(u"motors.hold"_s);
-    return result;
+    return {};
 }

@@ -43,7 +43,11 @@ private:
     Result<SetupResult> orientation();
     Result<SetupResult> balance();
     Result<SetupResult> motors();
+    /// Starts them and watches them for a while. Errors: Diverged.
+    Result<void> runMotors(SetupResult &result);
     Result<SetupResult> gains();
+    /// After the board has searched them: those that hold the camera worse are taken back.
+    Result<SetupResult> judgeGains(const Configuration &base, const Figures &before);
     Result<SetupResult> vibration(const QVariantMap &answers);
     Result<SetupResult> limits(const QVariantMap &answers);
     Result<SetupResult> use(const QVariantMap &answers);
@@ -65,13 +69,14 @@ private:
     void tell(const QString &step, double share);
     /// Which way is up, in the axes of the sensor; in no particular unit.
     [[nodiscard]] Vector3 upward() const;
-    /// Waits until the camera is held so and still. @return which way is up then, as a unit vector.
-    /// Errors: ConditionUnmet.
-    Result<Vector3> awaitPose(const QString &step, const std::function<bool(const Vector3 &)> &isThere);
-    /// Has the camera held level, or with its nose down. @return whether the board says so, too
-    Result<bool> areAnglesThose(const QString &step, const Vector3 &level, bool isDown);
+    /// Waits until the camera is held so and still for that time. @return which way is up then, as a unit
+    /// vector. Errors: ConditionUnmet.
+    Result<Vector3> awaitPose(const QString &step, const std::function<bool(const Vector3 &)> &isThere,
+                              double seconds);
+    /// Has the camera held level, or with its nose down, until the board says so, too. Errors: NotSeen.
+    Result<void> awaitAngles(const QString &step, const Vector3 &level, bool isDown);
     /// The same for both, one after the other.
-    Result<bool> doAnglesFollow(const Vector3 &level);
+    Result<void> awaitFollowing(const Vector3 &level);
     /// Lines of the turn rates that may be worth a notch.
     using Lines = std::vector<std::pair<Axis, SpectrumPeak>>;
     Result<Lines> measureLines(SetupResult &result);
@@ -81,14 +86,14 @@ private:
     // What is done.
     Result<void> switchOff();
     Result<void> requireMotors();
-    /// Writes the difference, verified; lists it in the result. A cancel waits until it is written.
+    /// Writes the difference, verified, and lists it in the result. A cancel waits until it is written; what
+    /// fails half-way is taken back.
     Result<void> write(const Configuration &base, const Configuration &edited, SetupResult &result);
-    Result<void> writeUnbroken(const Configuration &base, const Configuration &edited, SetupResult &result);
-    /// What the step has changed of these parameters is written back, even after a cancel.
-    Result<void> takeBack(const QStringList &patterns, const Configuration &base, SetupResult &result);
-    /// The same where the step ends with an error. @return that; NotRestored if the board holds the new
-    /// values
-    Error takenBack(const QStringList &patterns, const Configuration &base, const Error &why);
+    /// The same where it has to prove itself: until dropTrial() or takenBack(), a TrialNote is kept.
+    Result<void> writeOnTrial(const Configuration &base, const Configuration &edited, SetupResult &result);
+    /// What was on trial is written back, even after a cancel. @return why; NotRestored if the board may hold
+    /// it still
+    Error takenBack(const Error &why);
     static void list(const Configuration &base, const Configuration &edited, SetupResult &result);
     [[nodiscard]] const ParameterSpec *find(const QString &key, Axis axis = Axis::None) const;
 

@@ -6,6 +6,7 @@
 #include "protocol/base/angles.h"
 #include "protocol/device/device.h"
 #include "protocol/guide/setupguide.h"
+#include "protocol/procedure/trialnote.h"
 #include "protocol/session/channel.h"
 
 #include <algorithm>
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double kPosePatience = 60;  // seconds for each
 constexpr double kPoseSeconds = 1;
+constexpr double kFirstSeconds = 3;  // a camera that hangs still is not held level
 constexpr double kSteady = 4;  // degrees
 constexpr double kLeastTilt = 25;
 constexpr double kMostTilt = 65;
@@ -90,7 +92,7 @@ Vector3 SetupGuide::upward() const
 }
 
 Result<Vector3> SetupGuide::awaitPose(const QString &step,
-                                      const std::function<bool(const Vector3 &)> &isThere)
+                                      const std::function<bool(const Vector3 &)> &isThere, double seconds)
 {
     const TimePoint began = m_channel.now();
     TimePoint since = began;
@@ -108,7 +110,7 @@ Result<Vector3> SetupGuide::awaitPose(const QString &step,
         if (!isHeld) {
             since = m_channel.now();
             first = sum = up;
-        } else if (::seconds(m_channel.now() - since) >= kPoseSeconds) {
+        } else if (::seconds(m_channel.now() - since) >= seconds) {
             return sum / sum.norm();
         }
         tell(step, gone / kPosePatience);
@@ -117,12 +119,12 @@ Result<Vector3> SetupGuide::awaitPose(const QString &step,
     }
 }
 
-Result<bool> SetupGuide::areAnglesThose(const QString &step, const Vector3 &level, bool isDown)
+Result<void> SetupGuide::awaitAngles(const QString &step, const Vector3 &level, bool isDown)
 {
     const auto isThere = [&](const Vector3 &up) {
         return isDown ? isTilted(up, level) : degreesBetween(up, level) < kAskew / 2;
     };
-    const auto pose = awaitPose(step, isThere);
+    const auto pose = awaitPose(step, isThere, kPoseSeconds);
     if (!pose)
         return tl::unexpected(pose.error());
     const TimePoint began = m_channel.now();
@@ -135,18 +137,18 @@ Result<bool> SetupGuide::areAnglesThose(const QString &step, const Vector3 &leve
         if (!isSo)
             since = m_channel.now();
         else if (::seconds(m_channel.now() - since) >= kPoseSeconds)
-            return true;
+            return {};
         tell(step, ::seconds(m_channel.now() - began) / kSettles);
         if (const auto passed = letPass(); !passed)
             return tl::unexpected(passed.error());
     }
-    return false;
+    return failure(ErrorCode::NotSeen, u"the board's angles do not follow the camera"_s);
 }
 
-Result<bool> SetupGuide::doAnglesFollow(const Vector3 &level)
+Result<void> SetupGuide::awaitFollowing(const Vector3 &level)
 {
-    const auto down = areAnglesThose(u"setup-tilt-down"_s, level, true);
-    return down && *down ? areAnglesThose(u"setup-tilt-level"_s, level, false) : down;
+    const auto down = awaitAngles(u"setup-tilt-down"_s, level, true);
+    return down ? awaitAngles(u"setup-tilt-level"_s, level, false) : down;
 }
 
 Result<SetupResult> SetupGuide::orientation()
@@ -155,18 +157,19 @@ Result<SetupResult> SetupGuide::orientation()
         return tl::unexpected(off.error());
     if (const auto news = awaitNews(ChannelRoles::present({m_roles.acc, m_roles.angle})); !news)
         return tl::unexpected(news.error());
-    const auto level = awaitPose(u"setup-tilt-level"_s, isAlongAxis);
+    const auto level = awaitPose(u"setup-tilt-level"_s, isAlongAxis, kFirstSeconds);
     if (!level)
         return tl::unexpected(level.error());
     const auto isSide = [&level](const Vector3 &up) { return isTilted(up, *level); };
-    const auto rightDown = awaitPose(u"setup-tilt-right"_s, isSide);
+    const auto rightDown = awaitPose(u"setup-tilt-right"_s, isSide, kPoseSeconds);
     if (!rightDown)
         return tl::unexpected(rightDown.error());
     const Vector3 up = nearestAxis(*level);
     const Vector3 right = nearestAxis(tiltOf(*rightDown, *level)) * -1;
-    const auto noseDown = awaitPose(u"setup-tilt-down"_s, [&](const Vector3 &now) {
+    const auto isNose = [&](const Vector3 &now) {
         return isTilted(now, *level) && dot(nearestAxis(tiltOf(now, *level)), right) == 0;
-    });
+    };
+    const auto noseDown = awaitPose(u"setup-tilt-down"_s, isNose, kPoseSeconds);
     if (!noseDown)
         return tl::unexpected(noseDown.error());
     if (nearestAxis(tiltOf(*noseDown, *level)) * -1 != cross(up, right))
@@ -188,16 +191,18 @@ Result<SetupResult> SetupGuide::orientation()
             return tl::unexpected(set.error());
     }
     const bool isOther = !base->changesTo(edited).empty();
-    if (isOther) {
-        if (const auto written = write(*base, edited, result); !written)
-            return tl::unexpected(written.error());
-    }
-    const auto follow = doAnglesFollow(*level);
-    if (follow && *follow) {
-        result.remarks.append(isOther ? u"orientation.set"_s : u"orientation.fits"_s);
+    if (!isOther) {
+        if (const auto follow = awaitFollowing(*level); !follow)
+            return tl::unexpected(follow.error());
+        result.remarks.append(u"orientation.fits"_s);
         return result;
     }
-    const Error why = follow ? Error{ErrorCode::NotSeen, u"the board's angles do not follow the camera"_s}
-                             : follow.error();
-    return tl::unexpected(isOther ? takenBack({m_keys.axisUp, m_keys.axisRight}, *base, why) : why);
+    auto done = writeOnTrial(*base, edited, result);
+    if (done)
+        done = awaitFollowing(*level);
+    if (!done)
+        return tl::unexpected(takenBack(done.error()));
+    dropTrial(m_history, m_device.identity());
+    result.remarks.append(u"orientation.set"_s);
+    return result;
 }

@@ -6,6 +6,7 @@
 #include "protocol/procedure/notchplan.h"
 #include "protocol/procedure/notchtrial.h"
 #include "protocol/procedure/safeaction.h"
+#include "protocol/procedure/trialnote.h"
 #include "protocol/session/channel.h"
 #include "protocol/telemetry/uniformsamples.h"
 
@@ -98,22 +99,33 @@ Result<SetupResult> SetupGuide::gains()
         = performSafely(m_channel, m_device, m_keys.autoTune, *arguments, m_history, m_live, &m_telemetry);
     if (!done)
         return tl::unexpected(done.error());
+    auto judged = judgeGains(*base, *before);
+    if (!judged)
+        return tl::unexpected(takenBack(judged.error()));
+    dropTrial(m_history, m_device.identity());
+    judged->snapshot = done->snapshotPath;
+    return judged;
+}
+
+Result<SetupResult> SetupGuide::judgeGains(const Configuration &base, const Figures &before)
+{
+    const auto now = m_device.readConfiguration(m_channel);
+    if (!now)
+        return tl::unexpected(now.error());
+    if (const auto kept = keepTrial(m_history, base, *now); !kept)
+        return tl::unexpected(kept.error());
     if (const auto slept = m_channel.sleep(kRest); !slept)
         return tl::unexpected(slept.error());
     const auto after = measureHolding();
     if (!after)
         return tl::unexpected(after.error());
-    const auto now = m_device.readConfiguration(m_channel);
-    if (!now)
-        return tl::unexpected(now.error());
     SetupResult result;
-    result.snapshot = done->snapshotPath;
-    list(*base, *now, result);
+    list(base, *now, result);
     for (const Axis axis : kAxes) {
         const auto at = std::size_t(axis);
-        result.figures.append({setupFigureKey("holds", axis), (*after)[at], (*before)[at]});
+        result.figures.append({setupFigureKey("holds", axis), (*after)[at], before[at]});
     }
-    const double was = wholeOf(*before);
+    const double was = wholeOf(before);
     const double is = wholeOf(*after);
     if (is <= kWorse * was) {
         result.remarks = QStringList{is < kBetter * was ? u"gains.better"_s : u"gains.same"_s};
@@ -126,14 +138,12 @@ Result<SetupResult> SetupGuide::gains()
         }
         return result;
     }
-    SetupResult undone = result;
-    undone.changes.clear();
-    const auto written = takeBack(m_keys.gains, *base, undone);
-    undone.state = SetupResult::State::Poor;
-    undone.remarks = QStringList{written ? u"gains.takenback"_s : u"gains.worse"_s};
-    if (!written)
-        undone.changes = result.changes;
-    return undone;
+    const auto undone = makeTrialGood(m_channel, m_device, m_history, *now);
+    if (undone)
+        result.changes.clear();
+    result.state = SetupResult::State::Poor;
+    result.remarks = QStringList{undone ? u"gains.takenback"_s : u"gains.worse"_s};
+    return result;
 }
 
 Result<SetupGuide::Lines> SetupGuide::measureLines(SetupResult &result)
@@ -186,10 +196,10 @@ Result<bool> SetupGuide::tryNotchFor(Axis axis, const SpectrumPeak &peak, SetupR
         = tryNotch(m_channel, m_device, m_telemetry, trial, {.history = &m_history, .live = m_live}, goesOn);
     if (!tried)
         return tl::unexpected(tried.error());
-    if (tried->ended)
-        return tl::unexpected(*tried->ended);
     if (!tried->isTakenBack)
         return failure(ErrorCode::NotRestored, u"the notch that was tried is still on the board"_s);
+    if (tried->ended)
+        return tl::unexpected(*tried->ended);
     if (tried->verdict != NotchTrialResult::Verdict::Better)
         return false;
     if (const auto written = write(*base, trial.wanted, result); !written)

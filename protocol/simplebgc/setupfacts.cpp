@@ -48,14 +48,12 @@ SetupKeys Device::setupKeys() const
             .axisUp = u"imu.main.axis_top"_s,
             .axisRight = u"imu.main.axis_right"_s,
             .poles = u"motor.%1.poles"_s,
-            .inverted = u"motor.%1.invert"_s,
             .lowest = u"rc.%1.min_angle"_s,
             .highest = u"rc.%1.max_angle"_s,
             .calibrateGyro = u"calibrate.gyro"_s,
             .calibrateLevel = u"calibrate.acc"_s,
             .findPoles = u"calibrate.poles"_s,
             .autoTune = u"autotune"_s,
-            .gains = {u"pid.%1.p"_s, u"pid.%1.i"_s, u"pid.%1.d"_s},
             .uses = gimbalUses()};
 }
 

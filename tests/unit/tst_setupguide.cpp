@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "protocol/guide/setupguide.h"
-#include "protocol/telemetry/telemetryplan.h"
-#include "tests/support/virtualboard.h"
+#include "tests/support/setupbench.h"
 
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
@@ -12,90 +9,6 @@
 
 using namespace Qt::StringLiterals;
 using State = SetupResult::State;
-
-namespace {
-
-/// A gimbal and hands that do what they are told, in virtual time.
-struct Bench
-{
-    explicit Bench(bool isNew = true, const Faults &faults = {})
-        : board(unpacked(isNew, faults))
-        , history(dir.path())
-    {
-        if (!board.identify())
-            qFatal("not identified");
-        store = std::make_unique<TelemetryStore>(int(board.device.channels().size()), board.channel.now());
-        auto subscribed = board.device.subscribe(board.channel, {SetupGuide::channels(board.device), 0}, {});
-        decoder = subscribed->decoder;
-        board.channel.setTap(
-            [this](const FrameView &frame, TimePoint at) { decoder->decode(frame, at, *store); });
-        board.channel.setOperator([this](const Progress &progress) {
-            if (progress.step == u"setup-let-go"_s)
-                hand(0);
-            else if (progress.step == u"setup-tilt-level"_s)
-                hand(1);
-            else if (progress.step == u"setup-tilt-down"_s)
-                hand(3);
-            else if (progress.step == u"setup-tilt-right"_s)
-                hand(4);
-        });
-        record = SetupRecord(board.device.identity());
-    }
-    static SimulatorOptions unpacked(bool isNew, const Faults &faults)
-    {
-        SimulatorOptions options;
-        options.faults = faults;
-        if (isNew) {
-            options.own[u"condition"_s] = 1;
-            options.faults.imbalance = 500;
-        }
-        return options;
-    }
-    /// The step "orientation" is behind it.
-    void knowSensor()
-    {
-        board.board().store(u"imu.main.axis_top"_s, 0, 3);
-        board.board().store(u"imu.main.axis_right"_s, 0, 1);
-    }
-    void hand(int what) { world(u"hand=%1"_s.arg(what)); }
-    void world(const QString &assignment)
-    {
-        if (!board.port.change(assignment))
-            qFatal("%s", qPrintable(assignment));
-    }
-    Result<SetupResult> run(const char *key, const QMap<QString, QString> &texts = {})
-    {
-        const SetupStepSpec &spec = *findSetupStep(QLatin1String(key));
-        const auto answers = parseArguments(spec.action, texts);
-        if (!answers)
-            return tl::unexpected(answers.error());
-        SetupGuide guide(board.channel, board.device, *store, history);
-        auto result = guide.run(spec.step, *answers, record.result(SetupStep::Motors).isOver());
-        if (result)
-            record.add(spec.step, *result);
-        return result;
-    }
-    [[nodiscard]] int stored(const QString &key) { return board.board().stored(key, 0); }
-
-    QTemporaryDir dir;
-    VirtualBoard board;
-    BoardHistory history;
-    std::unique_ptr<TelemetryStore> store;
-    std::shared_ptr<TelemetryDecoder> decoder;
-    SetupRecord record;
-};
-
-QString why(const Result<SetupResult> &result)
-{
-    if (!result)
-        return result.error().detail;
-    QString text = setupStateKey(result->state) + u' ' + result->remarks.join(u' ');
-    for (const SetupFigure &figure : result->figures)
-        text += u' ' + figure.key + u'=' + setupFigureText(figure);
-    return text;
-}
-
-}  // namespace
 
 /// The way from an unpacked board to a tuned gimbal, step by step, in virtual time.
 class TestSetupGuide final : public QObject
@@ -127,7 +40,7 @@ private slots:
 
 void TestSetupGuide::anUnpackedGimbalIsTuned()
 {
-    Bench bench;
+    SetupBench bench;
     QCOMPARE(stepsOf(bench.board.device).size(), kSetupSteps);
     bench.hand(1);
     auto result = bench.run("power");
@@ -223,7 +136,7 @@ void TestSetupGuide::batteryIsAskedFor()
     QFETCH(QString, says);
     Faults faults;
     faults.battery = volts;
-    Bench bench(false, faults);
+    SetupBench bench(false, faults);
     const int alarm = bench.stored(u"battery.alarm"_s);
     const auto result = bench.run(
         "power", cells.isEmpty() ? QMap<QString, QString>() : QMap<QString, QString>{{u"cells"_s, cells}});
@@ -237,7 +150,7 @@ void TestSetupGuide::aStillCameraIsNeeded()
 {
     Faults faults;
     faults.shake = 12;
-    Bench bench(false, faults);
+    SetupBench bench(false, faults);
     const auto result = bench.run("gyroscope");
     QVERIFY(!result);
     QCOMPARE(result.error().code, ErrorCode::ConditionUnmet);
@@ -269,7 +182,7 @@ void TestSetupGuide::theSensorsSeatIsFound()
     QFETCH(QString, words);
     Faults faults;
     faults.mount = mount;
-    Bench bench(false, faults);
+    SetupBench bench(false, faults);
     const auto result = bench.run("orientation");
     QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
     QCOMPARE(result->remarks.join(u' '), words);
@@ -284,7 +197,7 @@ void TestSetupGuide::theSensorsSeatIsFound()
 // Left instead of right: with one of two tilts wrong, they contradict each other.
 void TestSetupGuide::aWrongTiltIsTold()
 {
-    Bench bench;
+    SetupBench bench;
     bench.board.channel.setOperator([&bench](const Progress &progress) {
         bench.hand(progress.step == u"setup-tilt-down"_s        ? 4
                        : progress.step == u"setup-tilt-right"_s ? 3
@@ -298,7 +211,7 @@ void TestSetupGuide::aWrongTiltIsTold()
 
 void TestSetupGuide::whatIsNotHeldLevelIsNotMeasured()
 {
-    Bench bench;  // falls as soon as its motors are off
+    SetupBench bench;  // falls as soon as its motors are off
     bench.knowSensor();
     const auto result = bench.run("balance");
     QVERIFY(!result);
@@ -311,19 +224,20 @@ void TestSetupGuide::motorsThatRunAwayAreStopped()
 {
     Faults faults;
     faults.swappedAxes = true;
-    Bench bench(true, faults);
+    SetupBench bench(true, faults);
     bench.knowSensor();
     bench.world(u"imbalance=100"_s);
     const auto result = bench.run("motors");
     QVERIFY2(!result && result.error().code == ErrorCode::Diverged, qPrintable(why(result)));
     QVERIFY(bench.board.channel.sleep(200ms));
     QVERIFY(!bench.board.board().stabilizer().motorsOn());
+    QCOMPARE(bench.stored(u"motor.roll.poles"_s), 22);  // as it was
 }
 
 // Whatever the reason: what is held worse afterwards is not kept.
 void TestSetupGuide::worseGainsAreTakenBack()
 {
-    Bench bench(false);
+    SetupBench bench(false);
     bool isSearched = false;
     bench.board.channel.setOperator([&](const Progress &progress) {
         isSearched = isSearched || progress.step == u"autotune"_s;
@@ -345,7 +259,7 @@ void TestSetupGuide::aNotchIsKeptWhereItHelps()
 {
     Faults faults;
     faults.shake = 0.3;
-    Bench bench(false, faults);
+    SetupBench bench(false, faults);
     bench.board.board().store(u"pid.roll.p"_s, 0, 100);
     bench.board.board().store(u"pid.roll.d"_s, 0, 60);
     QVERIFY(bench.board.channel.sleep(6s));
@@ -363,7 +277,7 @@ void TestSetupGuide::aNotchIsKeptWhereItHelps()
 
 void TestSetupGuide::motorsThatAreOffAreNoMeasurement()
 {
-    Bench bench(false);
+    SetupBench bench(false);
     bench.board.board().stabilizer().setMotorsOn(false);
     for (const char *key : {"gains", "vibration"}) {
         const auto result = bench.run(key);
@@ -374,7 +288,7 @@ void TestSetupGuide::motorsThatAreOffAreNoMeasurement()
 
 void TestSetupGuide::hardlyMovedIsNoRange()
 {
-    Bench bench(false);
+    SetupBench bench(false);
     bench.hand(1);
     const int before = bench.stored(u"rc.pitch.max_angle"_s);
     const auto result = bench.run("limits", {{u"seconds"_s, u"6"_s}});
@@ -385,7 +299,7 @@ void TestSetupGuide::hardlyMovedIsNoRange()
 
 void TestSetupGuide::lostLinkEndsAStep()
 {
-    Bench bench(false);
+    SetupBench bench(false);
     bench.world(u"unplug=1"_s);
     const auto result = bench.run("vibration");
     QVERIFY(!result);
@@ -393,7 +307,7 @@ void TestSetupGuide::lostLinkEndsAStep()
 
 void TestSetupGuide::aRecordIsKept()
 {
-    Bench bench;
+    SetupBench bench;
     bench.hand(1);
     QVERIFY(bench.run("power"));
     SetupResult skipped;
@@ -412,7 +326,7 @@ void TestSetupGuide::aRecordIsKept()
 
 void TestSetupGuide::doneAgainItKeepsWhatWasBefore()
 {
-    Bench bench;
+    SetupBench bench;
     bench.hand(1);
     for (int i = 0; i < 2; ++i) {
         const auto result = bench.run("power");
@@ -430,7 +344,7 @@ void TestSetupGuide::doneAgainItKeepsWhatWasBefore()
 // A board that was reset, or another one with the same number.
 void TestSetupGuide::whatTheBoardNoLongerHoldsIsSaid()
 {
-    Bench bench;
+    SetupBench bench;
     bench.hand(1);
     QVERIFY(bench.run("power"));
     const auto read = [&bench] { return *bench.board.device.readConfiguration(bench.board.channel); };
@@ -444,7 +358,7 @@ void TestSetupGuide::whatTheBoardNoLongerHoldsIsSaid()
 
 void TestSetupGuide::whoDoesNotLetGoIsTold()
 {
-    Bench bench;
+    SetupBench bench;
     bench.knowSensor();
     bench.hand(1);
     bench.board.channel.setOperator([](const Progress &) {});
@@ -495,7 +409,7 @@ void TestSetupGuide::everythingHasWords()
 
 void TestSetupGuide::aCertificateSaysAll()
 {
-    Bench bench;
+    SetupBench bench;
     bench.hand(1);
     QVERIFY(bench.run("power"));
     SetupResult failed;
