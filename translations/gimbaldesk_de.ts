@@ -10138,6 +10138,17 @@ dieses zeigen.</translation>
     </message>
 </context>
 <context>
+    <name>SetupButton</name>
+    <message>
+        <source>Gimbal setup</source>
+        <translation>Gimbal einrichten</translation>
+    </message>
+    <message>
+        <source>Steps of the guided set-up that belong to this page.</source>
+        <translation>Schritte der geführten Einrichtung, die zu dieser Seite gehören.</translation>
+    </message>
+</context>
+<context>
     <name>SetupPage</name>
     <message>
         <source>Gimbal setup</source>

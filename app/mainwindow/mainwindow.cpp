@@ -19,6 +19,7 @@
 #include "app/mainwindow/pagetable.h"
 #include "app/mainwindow/startpage.h"
 #include "app/pages/program/helppage.h"
+#include "app/pages/setup/guidepage.h"
 #include "app/workspace/filedialogs.h"
 #include "app/workspace/question.h"
 #include "protocol/record/recording.h"
@@ -244,6 +245,10 @@ Page *MainWindow::page(const QString &key)
         connect(made, &Page::changesChanged, this, &MainWindow::updateMarks);
         connect(made, &Page::actionWanted, this, &MainWindow::showAction);
         connect(made, &Page::pageWanted, this, &MainWindow::showPage);
+        connect(made, &Page::setupStepWanted, this, [this](SetupStep step) {
+            if (showPage(u"guide"_s))
+                static_cast<GuidePage *>(page(u"guide"_s))->choose(step);
+        });
         return made;
     }
     return nullptr;

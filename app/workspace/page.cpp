@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workspace/page.h"
 
+#include "app/workspace/setupbutton.h"
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 using namespace Qt::StringLiterals;
 
@@ -28,6 +32,13 @@ Page::Page(Workspace &workspace, const QString &key, const QString &title, QWidg
     m_header->setSpacing(Metric::kGap);
     m_header->addWidget(label);
     m_header->addStretch(1);
+    const auto steps = setupSteps();
+    if (std::any_of(steps.begin(), steps.end(),
+                    [&key](const SetupStepSpec &step) { return key == QLatin1String(step.elsewhere); })) {
+        auto *setup = new SetupButton(workspace.client(), key, *this);
+        m_header->addWidget(setup);
+        connect(setup, &SetupButton::stepWanted, this, &Page::setupStepWanted);
+    }
     layout->addLayout(m_header);
     layout->addLayout(m_body, 1);
 }

@@ -18,6 +18,8 @@ class QHeaderView;
 class QLabel;
 class QVBoxLayout;
 
+enum class SetupStep : std::uint8_t;
+
 /// A page of the main window: a header with title and actions, and a body.
 class Page : public QWidget
 {
@@ -45,6 +47,8 @@ signals:
     void actionWanted(const QString &key);
     /// The operator wants to go to the page of that key.
     void pageWanted(const QString &key);
+    /// The operator wants to go to that step of the guided set-up.
+    void setupStepWanted(SetupStep step);
 
 protected:
     [[nodiscard]] Workspace &workspace() const { return m_workspace; }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/setup/guidepage.h"
+#include "app/workspace/setupbutton.h"
 #include "protocol/device/abilities.h"
 #include "protocol/device/device.h"
 #include "protocol/telemetry/roles.h"
@@ -13,6 +14,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QTextBrowser>
 
@@ -27,6 +29,7 @@ private slots:
     void init() { m_rig = std::make_unique<WindowRig>(); }
     void cleanup() { m_rig.reset(); }
     void anUnpackedGimbalIsTuned();
+    void eachStepIsReachedFromItsPage();
     void itGoesOnAnotherDay();
     void nothingBeginsUnconfirmed();
     void hiddenItEnds();
@@ -133,6 +136,36 @@ void TestGuide::anUnpackedGimbalIsTuned()
     }
     qInfo("from the box to the certificate: %d clicks, %.1f minutes", m_clicks + 9,
           double(clock.elapsed()) / 60000);
+}
+
+// And from the step back to the page.
+void TestGuide::eachStepIsReachedFromItsPage()
+{
+    QVERIFY(m_rig->open());
+    auto *guide = static_cast<GuidePage *>(m_rig->window().page(u"guide"_s));
+    int reached = 0;
+    for (const SetupStepSpec &spec : setupSteps()) {
+        if (!*spec.elsewhere)
+            continue;
+        const QString key = QLatin1String(spec.elsewhere);
+        QVERIFY(m_rig->window().showPage(key));
+        const auto *button = m_rig->window().page(key)->findChild<SetupButton *>();
+        QVERIFY2(button && button->isVisible(), spec.elsewhere);
+        const auto steps = button->menu()->actions();
+        const auto step = std::find_if(steps.begin(), steps.end(), [&spec](const QAction *each) {
+            return each->text() == QLatin1String(spec.action.label);
+        });
+        QVERIFY2(step != steps.end(), spec.action.key);
+        (*step)->trigger();
+        QTRY_VERIFY(guide->isVisible());
+        QCOMPARE(guide->chosen(), spec.step);
+        guide->elsewhereButton()->click();
+        QTRY_VERIFY(m_rig->window().page(key)->isVisible());
+        ++reached;
+    }
+    QCOMPARE(reached, int(kSetupSteps) - 1);  // balance belongs to no page
+    m_rig->client().disconnectFromBoard();
+    QTRY_VERIFY(m_rig->window().page(u"autotune"_s)->findChild<SetupButton *>()->isHidden());
 }
 
 void TestGuide::itGoesOnAnotherDay()

@@ -34,6 +34,7 @@ public:
     [[nodiscard]] QPushButton *skipButton() const { return m_skip; }
     [[nodiscard]] QPushButton *nextButton() const { return m_next; }
     [[nodiscard]] QPushButton *cancelButton() const { return m_cancel; }
+    [[nodiscard]] QPushButton *elsewhereButton() const { return m_elsewhere; }
     [[nodiscard]] QPushButton *forgetButton() const { return m_forget; }
     [[nodiscard]] QCheckBox *confirmBox() const { return m_confirm; }
     [[nodiscard]] ArgumentForm *form() const { return m_form; }

@@ -110,7 +110,7 @@ void ParametersPage::makeHeader()
     m_search->setPlaceholderText(tr("Search (Ctrl+F)"));
     m_search->setAccessibleName(tr("Search parameters"));
     m_search->setClearButtonEnabled(true);
-    m_search->setMinimumWidth(180);
+    m_search->setMinimumWidth(172);
     m_search->setToolTip(tr("Looks in names, keys and help of all parameters"));
     for (QWidget *widget : {static_cast<QWidget *>(m_onlyChanged), static_cast<QWidget *>(m_onlyNonDefault),
                             static_cast<QWidget *>(m_onlyRed), static_cast<QWidget *>(m_asTable),
