@@ -1323,9 +1323,9 @@
     </message>
     <message numerus="yes">
         <source>%n cell(s) as the board counts, %1 V each</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Zelle, wie das Board zählt, %1 V</numerusform>
+            <numerusform>%n Zellen, wie das Board zählt, je %1 V</numerusform>
         </translation>
     </message>
 </context>
@@ -4347,10 +4347,6 @@
         <translation>„%1“ ist nicht %2://host:port</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not an address; use serial:/dev/ttyUSB0, tcp://host:port, udp://host:port, sim:simplebgc or replay:FILE</source>
-        <translation>„%1“ ist keine Adresse; gültig sind serial:/dev/ttyUSB0, tcp://host:port, udp://host:port, sim:simplebgc oder replay:DATEI</translation>
-    </message>
-    <message>
         <source>an address of video is HOST:PORT, not &apos;%1&apos;</source>
         <translation>eine Videoadresse ist HOST:PORT, nicht „%1“</translation>
     </message>
@@ -4484,19 +4480,35 @@
     </message>
     <message>
         <source>the transmitter has %1 steps of power</source>
-        <translation type="unfinished"></translation>
+        <translation>der Sender hat %1 Leistungsstufen</translation>
     </message>
     <message>
         <source>motors are turned over UDP only</source>
-        <translation type="unfinished"></translation>
+        <translation>Motoren werden nur über UDP gedreht</translation>
     </message>
     <message>
         <source>no answer came; whether the camera has switched is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Antwort kam; ob die Kamera umgeschaltet hat, ist nicht bekannt</translation>
     </message>
     <message>
         <source>the scale of a gain in the text is %1, which gives no number</source>
-        <translation type="unfinished"></translation>
+        <translation>der Faktor einer Verstärkung im Text ist %1, was keine Zahl ergibt</translation>
+    </message>
+    <message>
+        <source>the camera was not held as asked for a minute, or its sensor sits at no right angle to it</source>
+        <translation>die Kamera wurde eine Minute lang nicht wie verlangt gehalten, oder ihr Sensor sitzt nicht rechtwinklig zu ihr</translation>
+    </message>
+    <message>
+        <source>one of the two tilts went the other way: the right side down, seen from behind the camera, then its nose</source>
+        <translation>eine der beiden Neigungen ging in die andere Richtung: erst die rechte Seite nach unten, von hinter der Kamera gesehen, dann ihre Nase</translation>
+    </message>
+    <message>
+        <source>the board&apos;s angles do not follow the camera</source>
+        <translation>die Winkel des Boards folgen der Kamera nicht</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not an address; use serial:/dev/ttyUSB0, tcp://host:port, udp://host[:port], sim:simplebgc or replay:FILE</source>
+        <translation>„%1“ ist keine Adresse; möglich sind serial:/dev/ttyUSB0, tcp://host:port, udp://host[:port], sim:simplebgc oder replay:DATEI</translation>
     </message>
 </context>
 <context>
@@ -20895,7 +20907,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Battery cells</source>
-        <translation type="unfinished"></translation>
+        <translation>Akkuzellen</translation>
     </message>
 </context>
 <context>
