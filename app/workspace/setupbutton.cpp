@@ -3,7 +3,6 @@
 #include "app/workspace/setupbutton.h"
 
 #include "protocol/client/deviceclient.h"
-#include "widgets/forms/keyboard.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QMenu>
@@ -21,7 +20,6 @@ SetupButton::SetupButton(DeviceClient &client, const QString &page, QWidget &par
     setPopupMode(InstantPopup);
     setAccessibleName(tr("Gimbal setup"));
     setToolTip(tr("Steps of the guided set-up that belong to this page."));
-    setHarmless(*this);
     setMenu(new QMenu(this));
     connect(&client, &DeviceClient::stateChanged, this, &SetupButton::update);
     update();
