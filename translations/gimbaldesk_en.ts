@@ -63,9 +63,9 @@
     </message>
     <message numerus="yes">
         <source>%n cell(s) as the board counts, %1 V each</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n cell as the board counts, %1 V each</numerusform>
+            <numerusform>%n cells as the board counts, %1 V each</numerusform>
         </translation>
     </message>
 </context>
