@@ -430,8 +430,10 @@ void LinkBar::updateMotors()
     }
     // What is armed, or does not say that it is not, may run at any moment.
     const int armed = m_workspace.roles().armed;
-    m_motors->setToolTip(armed < 0 ? tr("F12 stops the motors from anywhere")
-                                   : tr("F12 stops the motors from anywhere, in flight as well: it falls"));
+    const QString tip = armed < 0 ? tr("F12 stops the motors from anywhere")
+                                  : tr("F12 stops the motors from anywhere, in flight as well: it falls");
+    if (m_motors->toolTip() != tip)
+        m_motors->setToolTip(tip);
     const bool mayBeArmed = armed >= 0 && freshlyTold(m_workspace, armed).value_or(true);
     const bool red = linked && (mayRun || mayBeArmed);
     if (m_motors->property("running").toBool() != red) {
