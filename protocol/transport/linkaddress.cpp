@@ -57,7 +57,8 @@ Result<LinkAddress> LinkAddress::parse(const QString &text)
     if (place.startsWith(u"tcp://"_s) || place.startsWith(u"udp://"_s)) {
         address.m_kind = place.startsWith(u't') ? Kind::Tcp : Kind::Udp;
         const QUrl url(place, QUrl::StrictMode);
-        const int port = url.port(address.m_kind == Kind::Udp ? kUsualUdpPort : -1);
+        const bool mayLackPort = address.m_kind == Kind::Udp && !place.endsWith(u':');
+        const int port = url.port(mayLackPort ? kUsualUdpPort : -1);
         if (!url.isValid() || url.host().isEmpty() || port <= 0 || !url.path().isEmpty())
             return failure(ErrorCode::InvalidArgument,
                            u"'%1' is not %2://host:port"_s.arg(place, place.left(3)));
