@@ -138,6 +138,8 @@ class TestLooks : public QObject
 private slots:
     void nothingIsClipped_data();
     void nothingIsClipped();
+    void nothingIsClippedForADrone_data();
+    void nothingIsClippedForADrone();
     void nothingIsClippedWhereTheProgramStarts_data() { addPages(); }
     void nothingIsClippedWhereTheProgramStarts();
     void chosenEntriesCanBeRead_data();
@@ -211,6 +213,32 @@ void TestLooks::nothingIsClipped()
     QTRY_VERIFY(rig.window().reviewDialog());
     check(u"review"_s);
     rig.window().reviewDialog()->reject();
+}
+
+void TestLooks::nothingIsClippedForADrone_data()
+{
+    QTest::addColumn<QString>("language");
+    QTest::newRow("English") << u"en"_s;
+    QTest::newRow("German") << u"de"_s;
+}
+
+// Its pages are others, and so is what the common ones show.
+void TestLooks::nothingIsClippedForADrone()
+{
+    QFETCH(QString, language);
+    const Translations translations(language);
+    WindowRig rig;
+    rig.window().resize(1280, 800);
+    QVERIFY(rig.open(u"sim:bcflight?notch=1"_s));
+    const auto calibrated = rig.workspace().perform(u"calibrate.all"_s, {});
+    QTRY_VERIFY_WITH_TIMEOUT(calibrated.isFinished(), kPatience);
+    for (const PageEntry &entry : pageTable()) {
+        const QString key = QLatin1String(entry.key);
+        if (!rig.window().navigation()->isOffered(key))
+            continue;
+        QVERIFY(rig.window().showPage(key));
+        checkClipping(rig, key);
+    }
 }
 
 // The page that is seen while the board is read fills itself in several steps.

@@ -36,6 +36,7 @@ private slots:
     void textIsCheckedWithoutADrone();
     void recordingsAreListed();
     void textThatCannotBeUploadedIsRefused();
+    void textThatIsNotTakenIsTold();
     void droneThatIsLostByItsTextIsTold();
     void otherGenerationsAreLookedAt_data();
     void otherGenerationsAreLookedAt();
@@ -429,6 +430,23 @@ void TestBcflightCtl::textThatCannotBeUploadedIsRefused()
     QVERIFY(
         ctl(link + QStringList{u"config"_s, u"write"_s, path(u"no-lua.lua"_s)}).err.contains(u"line 1"_s));
     QCOMPARE(ctl(link + QStringList{u"config"_s, u"read"_s, u"-"_s}).out.toUtf8(), before);
+}
+
+// It never hears of it, goes on as it was, and is not told to restart with the text that it has.
+void TestBcflightCtl::textThatIsNotTakenIsTold()
+{
+    const SimProcess drone({u"--udp"_s, u"0"_s, u"--fault"_s, u"deaf=113"_s}, u"bcflight"_s);
+    const QStringList link{u"--link"_s, drone.address()};
+    QCOMPARE(ctl(link + QStringList{u"do"_s, u"calibrate.all"_s}).exitCode, 0);
+    const QByteArray before = ctl(link + QStringList{u"config"_s, u"read"_s, u"-"_s}).out.toUtf8();
+    const QStringList write{u"config"_s, u"write"_s, save(u"edited.lua"_s, before + "-- edited\n")};
+    const Run run = Running(m_dir->path(), link + write).finish(3 * kPatience);
+    QCOMPARE(run.exitCode, 1);
+    QVERIFY2(run.err.contains(u"does not take the text"_s), qPrintable(run.err));
+    QVERIFY2(!run.out.contains(u"verified"_s), qPrintable(run.out));
+    QCOMPARE(ctl(link + QStringList{u"config"_s, u"read"_s, u"-"_s}).out.toUtf8(), before);
+    const Run status = ctl(link + QStringList{u"--json"_s, u"do"_s, u"status"_s});
+    QVERIFY(status.json().value(u"reply"_s).toObject().value(u"calibrated"_s).toBool());
 }
 
 void TestBcflightCtl::droneThatIsLostByItsTextIsTold()
