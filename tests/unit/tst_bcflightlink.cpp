@@ -324,6 +324,7 @@ void TestBcflightLink::valuesThatAreNoneAreCounted()
     decode(QByteArray::fromHex("00433f000000"));
     QCOMPARE(store.invalid(Thrust), 3u);
     QCOMPARE(store.latest(Thrust), 0.5F);
+    decode(QByteArray::fromHex("8500000002"));  // its attitude unit runs
     decode(QByteArray::fromHex("0016")
            + QByteArray::fromHex("3f8000007f800000ffc00000"));  // 1, infinite, NaN
     QCOMPARE(store.latest(AttitudeRoll), 1.0F);

@@ -393,10 +393,10 @@ void TestBcflightSimulator::telemetryIsWhatIsMeasured()
     faults.heat = 61;
     Ground ground(State::Connected, Generation::G, {}, faults);
     ground.silenceStream();
-    // 1100 little-endian, no charge, no current, a level below zero, load, temperature, quality, -48 dBm.
+    // 1100 little-endian, the charge of an earlier flight, no current, a level below zero, load, temperature, quality, -48 dBm.
     const QList<QByteArray> told = ground.sendHex("82");
     QCOMPARE(told.size(), 1);
-    QCOMPARE(told.front().first(6).toHex(), QByteArray("824c04000000"));
+    QCOMPARE(told.front().first(6).toHex(), QByteArray("824c049c0100"));
     QVERIFY(qint8(told.front()[6]) < 0);
     QCOMPARE(told.front().sliced(7).toHex(), QByteArray("1f3d64d0"));
     Ground old(State::Connected, Generation::D);
@@ -414,7 +414,7 @@ void TestBcflightSimulator::currentIsNotMeasured()
         ground.send(ground.controls({.thrust = 0.9, .arm = true}), 0.01);
     QVERIFY(ground.drone.quadcopter().charge() > 1);
     ground.silenceStream();
-    QCOMPARE(ground.sendHex("82").front().sliced(3, 3).toHex(), QByteArray("000000"));
+    QCOMPARE(ground.sendHex("82").front().sliced(3, 3).toHex(), QByteArray("9c0100"));
     ground.sendHex("0065 00000000");
     QCOMPARE(ground.sendHex("82").front().sliced(3, 3).toHex(), QByteArray("000000"));
 }
