@@ -15,6 +15,7 @@
 #include "tests/support/patience.h"
 #include "widgets/models/channelmodel.h"
 #include "widgets/models/numbertext.h"
+#include "widgets/models/parametermodel.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -265,7 +266,10 @@ void TestRecordedBoard::readersMeasureTheSame()
             if (std::isnan(value) || spec.elements > 1)
                 continue;
             const QModelIndex now = shown.index(row, ChannelModel::ValueColumn, parent);
-            QTRY_COMPARE(now.data().toString(), numberText(double(value), spec.decimals));
+            const QString meaning
+                = spec.choices.empty() ? QString() : choicesText(spec.choices, double(value), spec.areBits);
+            QTRY_COMPARE(now.data().toString(),
+                         meaning.isEmpty() ? numberText(double(value), spec.decimals) : meaning);
             ++compared;
         }
     }

@@ -393,7 +393,8 @@ void TestBcflightSimulator::telemetryIsWhatIsMeasured()
     faults.heat = 61;
     Ground ground(State::Connected, Generation::G, {}, faults);
     ground.silenceStream();
-    // 1100 little-endian, the charge of an earlier flight, no current, a level below zero, load, temperature, quality, -48 dBm.
+    // 1100 little-endian, the charge of an earlier flight, no current, a level below zero, load, temperature,
+    // quality, -48 dBm.
     const QList<QByteArray> told = ground.sendHex("82");
     QCOMPARE(told.size(), 1);
     QCOMPARE(told.front().first(6).toHex(), QByteArray("824c049c0100"));

@@ -82,8 +82,8 @@ QStringList bandNames()
 /// Of a column in which that text stands in full, of several lines the longest.
 int columnWidthFor(const QTableWidget &table, const QString &text)
 {
-    const int padding = 2 * (table.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &table) + 1)
-        + 2 * Metric::kGap;
+    const int padding
+        = 2 * (table.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &table) + 1) + Metric::kGap;
     return table.fontMetrics().size(0, text).width() + padding;
 }
 
