@@ -26,8 +26,10 @@ void DeviceClient::Private::installFeed(bool isSameBoard)
                                  if (const auto after = notice ? notice->ordersReset(bytes) : std::nullopt)
                                      restarts.order(at + *after);
                              }});
-    now([this, next = fresh.get(), old = feed.get(), isSameBoard] {
+    now([this, next = fresh.get(), old = feed.get(), board = device, isSameBoard] {
         restarts.meet(isSameBoard);
+        watched = board;
+        restartTimer->start();
         session->removeListener(old);
         session->addListener(next);
         session->setLatestValues(store);

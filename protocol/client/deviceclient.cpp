@@ -61,6 +61,9 @@ DeviceClient::Private::Private(DeviceClient &client, TransportFactory makeTransp
     ioThread.setObjectName(u"gimbal-io"_s);
     workerThread.setObjectName(u"gimbal-worker"_s);
     session->addListener(&frames);
+    restartTimer = new QTimer(session);
+    restartTimer->setInterval(kStatisticsPeriod);
+    connect(restartTimer, &QTimer::timeout, session, [this] { lookForRestart(watched); });
     session->moveToThread(&ioThread);
     worker->moveToThread(&workerThread);
     connect(&ioThread, &QThread::finished, session, &QObject::deleteLater);
@@ -200,8 +203,7 @@ ReplayControl &DeviceClient::replay()
 
 void DeviceClient::Private::pollStatistics()
 {
-    later([this, board = device] {
-        lookForRestart(board);
+    later([this] {
         Replay *recording = session->replay();
         back([this, counted = session->statistics(),
               place = recording ? std::optional(recording->state()) : std::nullopt] {
@@ -285,6 +287,10 @@ void DeviceClient::Private::disconnectFromBoard()
     }
     closeSession();
     statisticsTimer.stop();
+    later([this] {
+        restartTimer->stop();
+        watched.reset();
+    });
     line.reset();
     setState(State::Disconnected);
 }

@@ -119,7 +119,9 @@ struct DeviceClient::Private
     std::vector<Unwatched> unwatched;
     std::shared_ptr<SteeringNote> steering;
     std::shared_ptr<QSemaphore> closing = std::make_shared<QSemaphore>();  // released for each closed link
-    RestartWatch restarts;  // on the I/O thread
+    RestartWatch restarts;  // on the I/O thread, with its timer: a screen that stands still misses nothing
+    QTimer *restartTimer;
+    std::shared_ptr<Device> watched;
     Loss loss = Loss::Link;
     bool stopIsUnproven = false;  // it is being repeated
     QTimer stopPatience;

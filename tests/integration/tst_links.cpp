@@ -432,9 +432,11 @@ void TestLinks::restartWithoutNoticeIsNoticed_data()
 {
     QTest::addColumn<QString>("family");
     QTest::addColumn<bool>("isFast");
-    QTest::newRow("streams") << u"simplebgc"_s << false;
-    QTest::newRow("fast stream") << u"simplebgc"_s << true;
-    QTest::newRow("polled") << u"storm32"_s << false;
+    QTest::addColumn<bool>("isBlocked");
+    QTest::newRow("streams") << u"simplebgc"_s << false << false;
+    QTest::newRow("fast stream") << u"simplebgc"_s << true << false;
+    QTest::newRow("polled") << u"storm32"_s << false << false;
+    QTest::newRow("the screen stands still") << u"simplebgc"_s << true << true;
 }
 
 // The link stays: the streams are gone, what was in use is the stored again.
@@ -442,6 +444,7 @@ void TestLinks::restartWithoutNoticeIsNoticed()
 {
     QFETCH(QString, family);
     QFETCH(bool, isFast);
+    QFETCH(bool, isBlocked);
     SimProcess simulator({u"--tcp"_s, u"0"_s, u"--rate"_s, u"115200"_s}, family);
     auto client = makeClient();
     client->connectTo(*LinkAddress::parse(simulator.address()), family);
@@ -451,6 +454,9 @@ void TestLinks::restartWithoutNoticeIsNoticed()
         client->subscribe({{client->roles().gyro[0]}, 0});
     QVERIFY(boardGoesOn(*client, 1.0));
     simulator.process().write("reset=0\n");
+    // Until the board is back.
+    if (isBlocked && simulator.process().waitForBytesWritten())
+        QThread::sleep(3);
     QTRY_COMPARE(lost.count(), 1);
     QCOMPARE(lost.first().first().value<Error>().code, ErrorCode::Restarted);
     QCOMPARE(client->loss(), DeviceClient::Loss::Restart);
