@@ -4,6 +4,7 @@
 #include "app/pages/tune/spectrumpage.h"
 #include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
+#include "widgets/theme/theme.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -111,7 +112,7 @@ void TestSmallest::figuresOfTheSpectrumAreWhole()
                 return table->columnWidth(column) - table->fontMetrics().size(0, text).width();
             };
             const QString title = table->horizontalHeaderItem(column)->text();
-            QVERIFY2(room(title) >= 8, qPrintable(title));
+            QVERIFY2(room(title) >= 2 * Metric::kGap, qPrintable(title));  // the edges of a title
             for (int row = 0; row < table->rowCount(); ++row) {
                 const QString text = table->item(row, column) ? table->item(row, column)->text() : QString();
                 QVERIFY2(room(text) >= 12, qPrintable(text));

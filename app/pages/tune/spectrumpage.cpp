@@ -94,8 +94,9 @@ void fixColumns(QTableWidget &table, const QStringList &widest)
     QHeaderView *header = table.horizontalHeader();
     int width = 0;
     for (int column = 0; column < table.columnCount(); ++column) {
+        const QString title = table.horizontalHeaderItem(column)->text();
         const int needed = std::max(columnWidthFor(table, widest[column]),
-                                    columnWidthFor(table, table.horizontalHeaderItem(column)->text()));
+                                    columnWidthFor(table, title) + Metric::kGap);  // a title has wider edges
         width += needed;
         if (column == 0)
             continue;
