@@ -32,6 +32,7 @@ namespace {
 
 constexpr int kPresses = 60;
 constexpr int kMotorChannels = 4;
+constexpr double kUnanswered = 1000;  // ms
 
 qint64 nanoseconds(const timespec &time)
 {
@@ -195,20 +196,21 @@ std::vector<double> press(WindowRig &rig, Wire &wire, const std::function<void()
     return ms;
 }
 
-/// Milliseconds from a question to its answer, by a socket and nothing else.
-double askBare(int socket)
+/// Milliseconds from a question to its answer, by a socket and nothing else; kUnanswered or more without one.
+double askBare(int socket, bcflight::Message message, const QByteArray &payload = {})
 {
-    const QByteArray question = bcflight::encode(bcflight::Message::Status, {}, bcflight::Generation::G);
+    const QByteArray question = bcflight::encode(message, payload, bcflight::Generation::G);
     std::array<char, 2048> buffer{};
     const qint64 asked = realTime();
     std::ignore = ::send(socket, question.data(), std::size_t(question.size()), 0);
+    const auto waited = [asked] { return double(realTime() - asked) / 1e6; };
     pollfd ready{socket, POLLIN, 0};
-    while (::poll(&ready, 1, 1000) > 0) {
+    while (waited() < kUnanswered && ::poll(&ready, 1, int(kUnanswered)) > 0) {
         const ssize_t size = ::recv(socket, buffer.data(), buffer.size(), 0);
-        if (size > 0 && QByteArrayView(buffer.data(), size).startsWith(question))
+        if (size > 0 && QByteArrayView(buffer.data(), size).startsWith(question.first(1)))
             break;  // not the stream
     }
-    return double(realTime() - asked) / 1e6;
+    return waited();
 }
 
 /// The same question by a job of this program, from its worker and back to it.
@@ -235,10 +237,15 @@ void benchRoundTrip(Report &report, DeviceClient &client)
     const sockaddr_in peer = loopback(other.address().section(u':', -1).toUShort());
     if (::connect(bare, reinterpret_cast<const sockaddr *>(&peer), sizeof(peer)) != 0)
         qFatal("no drone");
+    const QByteArray ticks(4, '\0');
+    for (int i = 0; askBare(bare, bcflight::Message::Ping, ticks) >= kUnanswered; ++i) {
+        if (i == 5)
+            qFatal("the drone does not answer");
+    }
     std::vector<double> own;
     std::vector<double> base;
     for (int i = 0; i < 200; ++i) {
-        base.push_back(askBare(bare));
+        base.push_back(askBare(bare, bcflight::Message::Status));
         own.push_back(askOwn(client));
     }
     ::close(bare);
