@@ -19766,18 +19766,6 @@ Spitze %2°</translation>
         <translation>Die Plätze, die ein Skript enthalten, mit seiner Größe.</translation>
     </message>
     <message>
-        <source>Rate bit 0</source>
-        <translation>Rate Bit 0</translation>
-    </message>
-    <message>
-        <source>Rate bit 1</source>
-        <translation>Rate Bit 1</translation>
-    </message>
-    <message>
-        <source>Rate bit 2</source>
-        <translation>Rate Bit 2</translation>
-    </message>
-    <message>
         <source>All values are so already.</source>
         <translation>Alle Werte sind schon so.</translation>
     </message>
@@ -20072,10 +20060,6 @@ Spitze %2°</translation>
     <message>
         <source>On a serial line it needs even parity.</source>
         <translation>An einer seriellen Leitung braucht sie gerade Parität.</translation>
-    </message>
-    <message>
-        <source>Rate and content of this MAVLink channel. The three bits of the rate are one number, coded like the other serial speeds as far as is known: 0 = 115200, 1 = 57600, 2 = 38400, 3 = 19200, 4 = 9600, 5 = 256000.</source>
-        <translation>Rate und Inhalt dieses MAVLink-Kanals. Die drei Bits der Rate sind eine Zahl, soweit bekannt wie bei den anderen seriellen Raten: 0 = 115200, 1 = 57600, 2 = 38400, 3 = 19200, 4 = 9600, 5 = 256000.</translation>
     </message>
     <message>
         <source>This firmware is newer than any that this program knows: everything is shown, and nothing is written.</source>
@@ -20908,6 +20892,18 @@ Spitze %2°</translation>
     <message>
         <source>Battery cells</source>
         <translation>Akkuzellen</translation>
+    </message>
+    <message>
+        <source>Content of this MAVLink channel.</source>
+        <translation>Inhalt dieses MAVLink-Kanals.</translation>
+    </message>
+    <message>
+        <source>MAVLink channel %1: rate</source>
+        <translation>MAVLink-Kanal %1: Rate</translation>
+    </message>
+    <message>
+        <source>Speed of the port. That it is coded like the other serial speeds is likely, but no document tells it.</source>
+        <translation>Geschwindigkeit des Anschlusses. Dass sie wie die anderen seriellen Geschwindigkeiten codiert ist, ist wahrscheinlich, steht aber in keinem Dokument.</translation>
     </message>
 </context>
 <context>

@@ -334,6 +334,16 @@ const ParameterSpec *ParameterSet::find(const QString &key) const
     return it == m_byKey.end() ? nullptr : &m_specs[static_cast<std::size_t>(*it)];
 }
 
+QList<const ParameterSpec *> ParameterSet::partsOf(const QString &formerKey) const
+{
+    QList<const ParameterSpec *> parts;
+    for (const ParameterSpec &spec : m_specs) {
+        if (*spec.row->formerly && expandKey(spec.row->formerly, spec.axis, spec.index) == formerKey)
+            parts.append(&spec);
+    }
+    return parts;
+}
+
 const BlockSpec *ParameterSet::block(int id) const
 {
     const auto it

@@ -134,6 +134,7 @@ struct ParameterRow
     bool state = false;  ///< reported by the board, not set by the operator
     const char *name = "";  ///< name in the family's own files; "%A" is the axis
     NoEffectWhile inactive{};
+    const char *formerly = "";  ///< key of earlier files, which held all bits of the word
     /// The number that stands for this value in a text which the board keeps, where that is another one.
     /// Empty: it is not known, because the text is not there or does not tell. Null: there is none.
     std::optional<double> (*textFigure)(const Configuration &configuration, const ParameterSpec &spec,
@@ -232,6 +233,8 @@ public:
     [[nodiscard]] const std::vector<ParameterSpec> &all() const { return m_specs; }
     [[nodiscard]] const ParameterSpec &at(int id) const { return m_specs[static_cast<std::size_t>(id)]; }
     [[nodiscard]] const ParameterSpec *find(const QString &key) const;
+    /// What the word behind this key of earlier files has become.
+    [[nodiscard]] QList<const ParameterSpec *> partsOf(const QString &formerKey) const;
     [[nodiscard]] std::span<const BlockSpec> blocks() const { return m_blocks; }
     [[nodiscard]] const BlockSpec *block(int id) const;
     /// Group names in table order.

@@ -94,13 +94,33 @@ FileFault entryFault(FileProblem problem, const QByteArray &json, const QStringL
     return fault;
 }
 
+// Words of earlier files as the values that they hold. What is no number stays as it is, and is not known.
+QJsonObject inParts(const ParameterSet &parameters, const QJsonObject &values)
+{
+    QJsonObject split = values;
+    for (auto it = values.begin(); it != values.end(); ++it) {
+        const auto parts
+            = parameters.find(it.key()) ? QList<const ParameterSpec *>() : parameters.partsOf(it.key());
+        bool isNumber = false;
+        const quint32 word = it->toVariant().toString().toUInt(&isNumber, 0);
+        if (parts.isEmpty() || !isNumber)
+            continue;
+        split.remove(it.key());
+        for (const ParameterSpec *part : parts)
+            split.insert(part->key,
+                         valueOf(*part, word >> part->row->bitShift & ((1U << part->row->bitCount) - 1)));
+    }
+    return split;
+}
+
 // Puts a file's values into a configuration. A value that the blocks already hold exactly is left alone, so
 // rounding in the text never changes a byte.
 // @param place where the values stand in the file
 Result<void> readValues(ConfigurationFile &file, const QByteArray &json, const QStringList &place,
-                        const QJsonObject &values, int profile)
+                        const QJsonObject &kept, int profile)
 {
     Configuration &configuration = file.configuration;
+    const QJsonObject values = inParts(configuration.parameters(), kept);
     for (auto it = values.begin(); it != values.end(); ++it) {
         const ParameterSpec *spec = configuration.parameters().find(it.key());
         if (!spec) {

@@ -8,8 +8,10 @@ namespace simplebgc {
 namespace {
 
 // clang-format off
-constexpr Choice kMavlinkFlags[] = {{0, "Rate bit 0"}, {1, "Rate bit 1"}, {2, "Rate bit 2"}, {3, "Even parity"},
-                                    {4, "Send heartbeat"}, {5, "Send debug data"}, {6, "RC channels"}};
+constexpr Choice kMavlinkFlags[] = {{0, "Even parity"}, {1, "Send heartbeat"}, {2, "Send debug data"},
+                                    {3, "RC channels"}};
+constexpr Choice kMavlinkRates[] = {{0, "115200"}, {1, "57600"}, {2, "38400"}, {3, "19200"}, {4, "9600"},
+                                    {5, "256000"}};
 constexpr Choice kAutoPidFlags[] = {{0, "Roll"}, {1, "Pitch"}, {2, "Yaw"}, {3, "Report progress"},
                                     {4, "Start from current gains"}, {5, "Tune the low-pass filter"},
                                     {6, "All profiles"}};
@@ -50,11 +52,16 @@ constexpr ParameterRow kParamsExt2Rows[] = {
      .help = "Component ID of the gimbal; 154 is the standard one.",
      .block = ParamsExt2, .offset = 3, .count = 2, .countStride = 8, .defaults = {154}, .scope = Scope::Board,
      .since = 2600},
-    {.key = "mavlink.channel%n.flags", .label = "MAVLink channel %1: options", .group = "MAVLink",
-     .help = "Rate and content of this MAVLink channel. The three bits of the rate are one number, coded like the other "
-             "serial speeds as far as is known: 0 = 115200, 1 = 57600, 2 = 38400, 3 = 19200, 4 = 9600, 5 = 256000.",
-     .block = ParamsExt2, .offset = 4, .kind = ValueKind::Flags, .count = 2, .countStride = 8,
-     .choices = kMavlinkFlags, .scope = Scope::Board, .since = 2600},
+    {.key = "mavlink.channel%n.rate", .label = "MAVLink channel %1: rate", .group = "MAVLink",
+     .help = "Speed of the port. That it is coded like the other serial speeds is likely, but no document tells it.",
+     .block = ParamsExt2, .offset = 4, .bitShift = 0, .bitCount = 3, .kind = ValueKind::Choice, .count = 2,
+     .countStride = 8, .unit = "baud", .max = 7, .choices = kMavlinkRates, .scope = Scope::Board, .since = 2600,
+     .formerly = "mavlink.channel%n.flags"},
+    {.key = "mavlink.channel%n.options", .label = "MAVLink channel %1: options", .group = "MAVLink",
+     .help = "Content of this MAVLink channel.",
+     .block = ParamsExt2, .offset = 4, .bitShift = 3, .bitCount = 4, .kind = ValueKind::Flags, .count = 2,
+     .countStride = 8, .max = 15, .choices = kMavlinkFlags, .scope = Scope::Board, .since = 2600,
+     .formerly = "mavlink.channel%n.flags"},
     {.key = "motor.%a.magnetic_link", .label = "Magnetic link", .group = "Motors",
      .help = "Stiffness of the motor's magnetic field as measured by calibration.",
      .block = ParamsExt2, .offset = 17, .wire = WireType::U16, .axes = 3, .axisStride = 2, .scale = 0.01,

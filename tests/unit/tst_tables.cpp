@@ -97,7 +97,8 @@ void TestTables::offsetsOfTheErrata_data()
     row(u"filter.yaw.d_lpf"_s, 1, 103);
     row(u"motor.yaw.magnetic_link"_s, 2, 21);
     row(u"motion.yaw.acc_limit"_s, 2, 25);
-    row(u"mavlink.channel2.flags"_s, 2, 12);
+    row(u"mavlink.channel2.rate"_s, 2, 12);
+    row(u"mavlink.channel2.options"_s, 2, 12);
     row(u"limit.yaw.max"_s, 2, 42);
     row(u"step6.trigger"_s, 2, 112);
     row(u"rccal5.scale_positive"_s, 2, 132);
