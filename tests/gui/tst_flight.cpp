@@ -125,6 +125,7 @@ private slots:
     void whoeverLeavesTheLinkDisarms();
     void guardStandsBy();
     void foundAgainItIsDisarmed();
+    void silenceInTheAirIsTold();
     void lostLinkIsWarnedOf();  // the cable stays pulled
 
 private:
@@ -904,6 +905,47 @@ void TestFlight::lostLinkIsWarnedOf()
     QVERIFY(window().findChild<QMessageBox *>()->text().contains(u"armed"_s));
     window().findChild<QMessageBox *>()->reject();
     QVERIFY(window().isVisible());
+    m_rig->client().disconnectFromBoard();
+}
+
+// It does not hear that it is disarmed, and nobody says that it is.
+void TestFlight::silenceInTheAirIsTold()
+{
+    SimProcess drone({u"--udp"_s, u"0"_s}, u"bcflight"_s);
+    QVERIFY(m_rig->open(drone.address()));
+    m_page = m_rig->page<FlightPage>();
+    const auto calibrated = m_rig->workspace().perform(u"calibrate.all"_s, {});
+    QTRY_VERIFY_WITH_TIMEOUT(calibrated.isFinished(), kPatience);
+    QVERIFY(isSoon(m_rig->client().roles().calibrated, 1));
+    trust();
+    QVERIFY(arm());
+    page().throttle()->setValue(20);
+    QVERIFY(isSoon(m_rig->client().roles().outputs, 1));
+    const QObject listener;
+    QList<ErrorText> told;
+    connect(&m_rig->workspace().notifications(), &Notifications::problem, &listener,
+            [&told](const ErrorText &text) { told.append(text); });
+    drone.process().write("silent-armed=86400\n");
+    QTRY_VERIFY_WITH_TIMEOUT(page().session().phase() == Phase::Closed, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Reconnecting, kPatience);
+    QVERIFY(std::any_of(told.begin(), told.end(), [](const ErrorText &text) {
+        return text.what == u"The drone did not confirm that it is disarmed."_s
+            && text.meaning.contains(u"its last throttle"_s);
+    }));
+    QStringList good;
+    connect(&m_rig->workspace().notifications(), &Notifications::notice, &listener,
+            [&good](const QString &text) { good.append(text); });
+    drone.process().write("silent-armed=0\n");
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), kPatience);
+    QVERIFY(isSoon(m_rig->client().roles().armed, 0));
+    QVERIFY(isSoon(m_rig->client().roles().outputs, 0));
+    // Whichever of the two stops was proven first.
+    const auto isTold = [&good] {
+        return good.contains(u"The drone is disarmed, and its outputs stand."_s)
+            || good.contains(u"The motors were switched off."_s);
+    };
+    QTRY_VERIFY2_WITH_TIMEOUT(isTold(), qPrintable(good.join(u'|')), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_rig->workspace().mayStillFly(), kPatience);
     m_rig->client().disconnectFromBoard();
 }
 

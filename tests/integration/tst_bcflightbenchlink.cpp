@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/composition/composition.h"
 #include "protocol/base/filefault.h"
+#include "protocol/bcflight/payloads.h"
+#include "protocol/bcflight/tables.h"
 #include "protocol/client/deviceclient.h"
+#include "protocol/device/steering.h"
+#include "protocol/session/linkstatistics.h"
 #include "protocol/simulator/link/udphost.h"
+#include "protocol/telemetry/telemetrystore.h"
 #include "tests/support/ctlrun.h"
 #include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
@@ -14,6 +19,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QThread>
+#include <QTimer>
 
 #include <csignal>
 
@@ -102,6 +108,7 @@ private slots:
     void commandsOfTheBench();
     void firmwareNeedsABatteryThatLasts();
     void interruptedTestSaysThatItIsDeaf();
+    void silenceInTheAirIsNoDisarming();
 
 private:
     QTemporaryDir m_dir;
@@ -240,6 +247,53 @@ void TestBcflightBenchLink::interruptedTestSaysThatItIsDeaf()
     const Run run = test.finish();
     QCOMPARE(run.exitCode, 1);
     QVERIFY2(run.err.contains(u"the first thing that it hears"_s), qPrintable(run.err));
+}
+
+// Errata 9.1: it flies on as it was told last. Found again it is disarmed, and that is seen.
+void TestBcflightBenchLink::silenceInTheAirIsNoDisarming()
+{
+    Bench bench;
+    QVERIFY(bench.connect());
+    QVERIFY(bench.done(bench.perform(u"calibrate.all"_s)));
+    const auto change = [&](const QString &fault) {
+        return bench.with([&](WatchedDrone &) { return bench.host->port().change(fault).has_value(); });
+    };
+    const auto flies = [&] {
+        return bench.with([](WatchedDrone &watched) {
+            return watched.drone().isArmed()
+                && bcflight::areDriven({watched.drone().outputs().begin(), watched.drone().outputs().end()});
+        });
+    };
+    QVERIFY(change(u"silent-armed=86400"_s));
+    QSignalSpy ended(&bench.client, &DeviceClient::steeringEnded);
+    bool wasDegraded = false;
+    QObject::connect(&bench.client, &DeviceClient::statisticsChanged, &bench.client, [&] {
+        wasDegraded |= bench.client.isConnected() && bench.client.statistics().isDegraded();
+    });
+    QTimer hand;
+    QObject::connect(&hand, &QTimer::timeout, &bench.client, [&] {
+        bench.client.setControl({1, {0.3, 0, 0, 0}, {1}});
+    });
+    hand.start(20ms);
+    QTRY_VERIFY_WITH_TIMEOUT(flies(), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.client.isConnected(), kPatience);
+    hand.stop();
+    QVERIFY(wasDegraded);
+    QTRY_COMPARE(ended.count(), 1);
+    QVERIFY(!ended.first().first().toBool());
+    QVERIFY(flies());
+
+    const TimePoint found = Clock::now();
+    QVERIFY(change(u"silent-armed=0"_s));
+    QTRY_VERIFY_WITH_TIMEOUT(bench.client.isConnected(), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(ended.count() > 1 && ended.last().first().toBool(), kPatience);
+    QVERIFY(!flies());
+    const auto tells = [&](int channel) {
+        const auto store = bench.client.telemetry();
+        return store && store->latestAt(channel) > found && store->latest(channel) == 0;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(tells(bcflight::Armed) && tells(bcflight::Outputs), kPatience);
+    QVERIFY(!bench.client.areOutputsUnknown());
 }
 
 QTEST_GUILESS_MAIN(TestBcflightBenchLink)

@@ -170,6 +170,7 @@ private slots:
     void sensitivityStepsByHundreds();
     void armsAgainAtOnceAfterATimeout();
     void armingAgainStopsWhatAClosedClientLeft();
+    void outOfReachItFliesOn();
 
     void calibrationTakesItsTime_data();
     void calibrationTakesItsTime();
@@ -902,6 +903,27 @@ void TestBcflightSimulator::attitudeIsNothingBeforeACalibration()
         QVERIFY(after.value(int(id)) != QByteArray(12, '\0'));
     }
     QCOMPARE(before.value(int(Message::CurrentAcceleration)), QByteArray(4, '\0'));
+}
+
+// Errata 9.1: it does not notice.
+void TestBcflightSimulator::outOfReachItFliesOn()
+{
+    Faults faults;
+    faults.silentArmed = 5;
+    Ground ground(State::Armed, Generation::G, {}, faults);
+    QVERIFY(ground.drone.isArmed());
+    QVERIFY(ground.wait(2).isEmpty());
+    QVERIFY(ground.send(QByteArray::fromHex("0047 85"), 2).isEmpty());
+    QVERIFY(ground.drone.isArmed() && ground.runs());
+    QVERIFY(!ground.wait(2).isEmpty());
+    QVERIFY(ground.drone.isArmed() && ground.runs());
+    QVERIFY(!ground.sendHex("0047 85").isEmpty());
+    QVERIFY(!ground.drone.isArmed() && !ground.runs());
+    // And again, until it is cleared.
+    ground.send(ground.controls({.thrust = 0.3, .arm = true}));
+    QVERIFY(ground.drone.isArmed() && ground.wait(1).isEmpty());
+    ground.drone.setFaults({});
+    QVERIFY(ground.drone.isArmed() && !ground.wait(1).isEmpty());
 }
 
 // Errata 8.3: half of 512, and one.

@@ -205,6 +205,12 @@ bool SimulatedBoard::hasDroppedClient() const
     return m_hasClient && m_clients > 1 && m_now - m_heardClient > kReadTimeout;
 }
 
+// It does not notice that nobody steers it any more (9.1).
+bool SimulatedBoard::isOutOfReach() const
+{
+    return m_everArmed && m_now - m_armedAt < m_options.faults.silentArmed;
+}
+
 // As the original ground: CONTROLS a hundred times per second would disarm us; a PING says enough.
 QByteArray SimulatedBoard::askedByOthers()
 {
@@ -213,7 +219,7 @@ QByteArray SimulatedBoard::askedByOthers()
 
 QByteArray SimulatedBoard::takeOutput(qsizetype)
 {
-    if (hasDroppedClient())
+    if (hasDroppedClient() || isOutOfReach())
         m_outbox.clear();
     if (m_outbox.empty())
         return {};

@@ -83,6 +83,7 @@ private:
     void estimate();
     void beCalibrated();
     [[nodiscard]] bool hasDroppedClient() const;
+    [[nodiscard]] bool isOutOfReach() const;
     void disarm();
     void stopOutputs();
 
@@ -156,6 +157,7 @@ private:
     // Flight.
     bool m_armed = false;
     bool m_everArmed = false;
+    double m_armedAt = 0;
     int m_mode = 1;
     Controls m_sticks;
     bool m_calibrated = false;

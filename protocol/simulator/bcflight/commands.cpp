@@ -78,7 +78,7 @@ void SimulatedBoard::send(const QByteArray &packet)
 
 void SimulatedBoard::receive(Bytes bytes)
 {
-    if (hasDroppedClient())
+    if (hasDroppedClient() || isOutOfReach())
         return;
     m_heardClient = m_now;
     if (!m_isDead && m_now >= m_awayUntil && !bytes.empty())
@@ -166,9 +166,10 @@ bool SimulatedBoard::handle(const DroneReader::Item &item, DroneReader &reader)
         m_sticks = *Controls::decode(payload, m_generation);
         m_heardControls = m_now;
         // No check of the throttle (9.1); without the attitude unit it is ignored.
-        if (m_sticks.arm && !m_armed && m_calibrated)
+        if (m_sticks.arm && !m_armed && m_calibrated) {
             m_armed = m_everArmed = true;
-        else if (!m_sticks.arm && m_armed && !m_options.faults.runsOn)
+            m_armedAt = m_now;
+        } else if (!m_sticks.arm && m_armed && !m_options.faults.runsOn)
             disarm();
         break;
     }

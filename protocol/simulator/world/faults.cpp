@@ -68,6 +68,8 @@ const std::vector<Row> &rows()
          [](Faults &f, double v) { f.otherClient = v; }},
         {"other-ground", 0, 1000, "bcflight", "packets per second of another ground station, which gets what is sent after them, 0 = none",
          [](Faults &f, double v) { f.otherGround = v; }},
+        {"silent-armed", 0, 86400, "bcflight", "seconds for which it neither hears nor sends anything once it is armed, and flies on, 0 = none",
+         [](Faults &f, double v) { f.silentArmed = v; }},
         {"shake", 0, 20, "", "strength of the hand that holds the gimbal, 0 = tripod",
          [](Faults &f, double v) { f.shake = v; }},
         {"swapped-axes", 0, 1, "simplebgc storm32", "roll and pitch motors are swapped",

@@ -36,6 +36,8 @@ struct Faults
     double otherClient = -1;  ///< other-client: seconds until another client changes P of roll by 10
     double otherGround = 0;  ///< other-ground: packets per second of another station on the same network,
                              ///< which gets the answers and streams until we write again; 0 = none
+    double silentArmed = 0;  ///< silent-armed: seconds for which a drone neither hears nor sends anything
+                             ///< once it is armed; it flies on as it was told last; 0 = none
     double shake = 1;  ///< shake: strength of the hand, 0 = tripod
     bool swappedAxes = false;  ///< swapped-axes: roll and pitch motors are swapped
     int pose = 0;  ///< pose: 0 in the gimbal, 1-6 the camera lies still with Z, -Z, X, -X, Y, -Y up, 7 tilted
