@@ -153,7 +153,7 @@ private:
             if (!armed)
                 emit m_command.finished(
                     failure(ErrorCode::NotProven, u"whether it stayed disarmed: "_s + armed.error().detail));
-            else if (*armed || latest(roles.outputs) > 0)
+            else if (*armed || (!m_client->areOutputsUnknown() && latest(roles.outputs) > 0))
                 tellArmedAgain();
             else
                 tellStopped(true);

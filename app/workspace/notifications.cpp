@@ -24,6 +24,13 @@ namespace {
 
 constexpr int kMostRemembered = 200;
 
+QString disarmedUntoldText()
+{
+    return Notifications::tr(
+        "The drone was disarmed, and does not tell what its motors do. See that they stand before "
+        "you come near.");
+}
+
 }  // namespace
 
 bool isEndOfLink(const Error &error)
@@ -430,7 +437,9 @@ void Notifications::onSteeringEnded(bool confirmed)
 {
     const bool wasInDoubt = m_told.contains(Concern::Steering);
     settle(Concern::Steering);
-    if (confirmed && wasInDoubt)
+    if (confirmed && wasInDoubt && m_client.areOutputsUnknown())
+        notify(disarmedUntoldText(), Notice::Attention, Concern::Stopped);
+    else if (confirmed && wasInDoubt)
         notify(flies() ? tr("The drone is disarmed, and its outputs stand.")
                        : tr("The board has stopped turning the camera."));
     if (!confirmed && flies())
@@ -465,10 +474,7 @@ void Notifications::onMotorsOff(bool confirmed)
         settle(Concern::Motors);
         settle(Concern::Steering);
         if (m_client.areOutputsUnknown())
-            notify(
-                tr("The drone was disarmed, and does not tell what its motors do. See that they stand before "
-                   "you come near."),
-                Notice::Attention, Concern::Stopped);
+            notify(disarmedUntoldText(), Notice::Attention, Concern::Stopped);
         else
             notify(tr("The motors were switched off."), Notice::Done, Concern::Stopped);
         return;

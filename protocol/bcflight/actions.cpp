@@ -49,11 +49,13 @@ int channelInBand(int channelNumber)
 
 enum class Standing { Driven, Stands, Untold };
 
-// What it streamed before the stop is passed over; where nothing is streamed, nothing tells.
-Result<Standing> standing(Mailbox &outputs)
+// By what it streams from now on; where nothing is streamed, nothing tells.
+Result<Standing> standing(Channel &channel)
 {
+    const auto outputs
+        = channel.listen([](const FrameView &frame) { return frame.id == int(Message::MotorsSpeed); });
     for (int i = 0; i < kOutputsLooked; ++i) {
-        const auto told = outputs.next(kOutputsCome);
+        const auto told = outputs->next(kOutputsCome);
         if (!told && told.error().code != ErrorCode::Timeout)
             return tl::unexpected(told.error());
         if (!told)
@@ -148,8 +150,6 @@ Result<ActionReply> Device::perform(Channel &channel, const QString &key, const 
 Result<ActionReply> Device::stopMotors(Channel &channel)
 {
     const StopPlan plan = stopPlan();
-    const auto outputs
-        = channel.listen([](const FrameView &frame) { return frame.id == int(Message::MotorsSpeed); });
     Result<Status> now = failure(ErrorCode::Timeout);
     for (int round = 0; round < kStopRounds; ++round) {
         for (const Request &request : plan.means.front().requests) {
@@ -158,7 +158,7 @@ Result<ActionReply> Device::stopMotors(Channel &channel)
         }
         now = status(channel);
         if (now && !now->armed) {
-            const auto seen = standing(*outputs);
+            const auto seen = standing(channel);
             if (!seen)
                 return tl::unexpected(seen.error());
             if (*seen == Standing::Untold)

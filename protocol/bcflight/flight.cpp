@@ -30,8 +30,6 @@ constexpr Choice kArmChoices[] = {{0, "disarmed"}, {1, "armed"}};
 constexpr SteeringSwitch kArmSwitch[] = {{.key = "arm", .label = "Arm", .choices = kArmChoices, .arms = true}};
 // clang-format on
 
-constexpr auto kOutputsTold = 600ms;  // every tenth of a second where they are streamed (errata 8)
-
 // "Disarmed" does not mean that the motors stand (errata 9.2, 8): outputs that are streamed tell.
 Proof standsStill(const LatestValues &latest, TimePoint since)
 {

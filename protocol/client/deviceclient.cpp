@@ -469,7 +469,7 @@ bool DeviceClient::isStopUnproven() const
 bool DeviceClient::areOutputsUnknown() const
 {
     return d->device && d->device->flight() && d->store
-        && Clock::now() - d->store->latestAt(d->roles.outputs) > kOldFlightState;
+        && Clock::now() - d->store->latestAt(d->roles.outputs) > kOutputsTold;
 }
 
 bool DeviceClient::isSteering() const

@@ -14,6 +14,10 @@ class Configuration;
 /// lost packet or two are no news.
 inline constexpr auto kOldFlightState = milliseconds(1500);
 
+/// Where outputs are streamed some come within that time. A machine that tells none is believed by its word
+/// that it is disarmed only then: what is older was told before it was stopped, and proves nothing.
+inline constexpr auto kOutputsTold = milliseconds(600);
+
 /// Machines that fly: their motors run as long as what steers them says "armed", and stopping them makes them
 /// fall. They are steered through Steering, whose only switch arms; see ArmingSession for the rules.
 class FlyingMachine

@@ -65,6 +65,7 @@ private slots:
     void lowBatteryIsSeenOnConnecting();
     void anotherGroundIsTold();
     void outputsThatAreNotToldAreUnknown();
+    void outputsOfBeforeAStopAreNotTold();
     void repliesAreInWords();
 
 private:
@@ -419,6 +420,25 @@ void TestBcflightWindow::outputsThatAreNotToldAreUnknown()
     const auto full = m_rig->workspace().perform(u"telemetry.full"_s, {{u"on"_s, true}});
     QTRY_VERIFY_WITH_TIMEOUT(full.isFinished(), kPatience);
     QTRY_COMPARE_WITH_TIMEOUT(state(), ArmedState::State::Disarmed, kPatience);
+}
+
+// They fell silent only just before: what they were then proves nothing.
+void TestBcflightWindow::outputsOfBeforeAStopAreNotTold()
+{
+    const int outputs = m_rig->client().roles().outputs;
+    QTRY_VERIFY_WITH_TIMEOUT(freshlyTold(m_rig->workspace(), outputs), kPatience);
+    const auto silent = m_rig->workspace().perform(u"telemetry.full"_s, {{u"on"_s, false}});
+    QTRY_VERIFY_WITH_TIMEOUT(silent.isFinished(), kPatience);
+    const QObject listener;
+    QStringList told;
+    connect(&m_rig->workspace().notifications(), &Notifications::notice, &listener,
+            [&told](const QString &text) { told.append(text); });
+    QSignalSpy stopped(&m_rig->client(), &DeviceClient::motorsOffFinished);
+    m_rig->workspace().setMotors(false);
+    QTRY_VERIFY_WITH_TIMEOUT(!stopped.isEmpty(), kPatience);
+    QVERIFY(stopped.last().first().toBool());
+    QVERIFY2(told.join(u' ').contains(u"does not tell what its motors do"_s), qPrintable(told.join(u' ')));
+    QVERIFY(!told.join(u' ').contains(u"switched off"_s));
 }
 
 void TestBcflightWindow::repliesAreInWords()

@@ -115,6 +115,7 @@ private slots:
     void mistakesAreTold();
     void textThatIsRightPasses();
     void stopIsProvenByStateAndOutputs();
+    void outputsOfBeforeAStopProveNothing();
     void telemetryIsDecoded();
     void noFalsePoints();
     void streamIsTakenApart_data();
@@ -865,6 +866,30 @@ void TestBcflightDevice::stopIsProvenByStateAndOutputs()
     tell(0, 0, now + 30ms);
     QCOMPARE(plan.fromTelemetry(store, now), Proof::Proven);
     QCOMPARE(plan.fromTelemetry(store, now + 1s), Proof::Nothing);
+}
+
+// Its stream ends just before it is stopped: what it told until then is no proof, whatever it was.
+void TestBcflightDevice::outputsOfBeforeAStopProveNothing()
+{
+    for (const double thrust : {0.0, 0.5}) {
+        Rig rig;
+        QVERIFY(rig.arm());
+        rig.fly({.thrust = thrust, .arm = true});
+        std::ignore = rig.channel.sleep(200ms);
+        QCOMPARE(rig.store->latest(Outputs) != 0, thrust > 0);
+        QVERIFY(rig.perform("telemetry.full", {{u"on"_s, u"off"_s}}));
+        rig.channel.stopMotors(rig.device.stopPlan());
+        std::ignore = rig.channel.sleep(kOutputsTold - 100ms);
+        QVERIFY(!rig.board().isArmed() && rig.store->latest(Armed) == 0);
+        QVERIFY(!rig.channel.stopResult());
+        std::ignore = rig.channel.sleep(300ms);
+        QVERIFY(rig.channel.stopResult() && *rig.channel.stopResult());
+        // Whoever tells of it says that its outputs are not known.
+        QVERIFY(rig.channel.now() - rig.store->latestAt(Outputs) > kOutputsTold);
+        const auto stopped = rig.perform("motors.off");
+        QVERIFY(stopped);
+        QCOMPARE(stopped->value(u"outputs"_s).toString(), u"not told"_s);
+    }
 }
 
 void TestBcflightDevice::telemetryIsDecoded()
