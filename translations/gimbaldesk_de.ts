@@ -4510,6 +4510,18 @@
         <source>&apos;%1&apos; is not an address; use serial:/dev/ttyUSB0, tcp://host:port, udp://host[:port], sim:simplebgc or replay:FILE</source>
         <translation>„%1“ ist keine Adresse; möglich sind serial:/dev/ttyUSB0, tcp://host:port, udp://host[:port], sim:simplebgc oder replay:DATEI</translation>
     </message>
+    <message>
+        <source>%1 is not sent from here: %2</source>
+        <translation>%1 wird von hier nicht gesendet: %2</translation>
+    </message>
+    <message>
+        <source>nobody uses it</source>
+        <translation>niemand verwendet es</translation>
+    </message>
+    <message>
+        <source>it moves the drone whether or not it is armed</source>
+        <translation>es bewegt die Drohne, ob sie scharf ist oder nicht</translation>
+    </message>
 </context>
 <context>
     <name>ErrorText</name>

@@ -88,9 +88,11 @@ std::uint32_t Device::codeOf(const Frame &frame)
 Result<ActionReply> Device::perform(Channel &channel, const QString &key, const QVariantMap &arguments)
 {
     const auto is = [&key](const char *name) { return key == QLatin1String(name); };
-    const auto send = [&](const Request &request) {
-        return channel.transact(request).map([](const Frame &) { return ActionReply(); });
+    const auto send = [&](Message id, const Request &request) -> Result<Frame> {
+        const auto may = checkMaySend(channel, id);
+        return may ? channel.transact(request) : tl::unexpected(may.error());
     };
+    const auto nothing = [](const Frame &) { return ActionReply(); };
     const bool on = arguments.value(u"on"_s).toBool();
     const auto number
         = [&arguments](const char *name) { return arguments.value(QLatin1String(name)).toInt(); };
@@ -115,23 +117,22 @@ Result<ActionReply> Device::perform(Channel &channel, const QString &key, const 
         return calibrateEscs(channel);
     if (is("firmware.upload"))
         return uploadFirmware(channel, arguments.value(u"file"_s).toString());
-    if (is("mode") || is("motors.beep")) {
-        if (const auto ready = checkDisarmed(channel); !ready)
-            return tl::unexpected(ready.error());
-    }
     if (is("mode"))
-        return channel.transact(ask(Message::SetMode, bigU32(std::uint32_t(number("mode")))))
+        return send(Message::SetMode, ask(Message::SetMode, bigU32(std::uint32_t(number("mode")))))
             .map([](const Frame &frame) {
                 return ActionReply{{u"mode"_s, int(codeOf(frame))}};
             });
     if (is("motors.beep"))
-        return send(order(Message::MotorsBeep, bigU16(on ? 1 : 0)));
+        return send(Message::MotorsBeep, order(Message::MotorsBeep, bigU16(on ? 1 : 0))).map(nothing);
     if (is("battery.reset"))
-        return send(order(Message::ResetBattery, bigU32(0)));
+        return send(Message::ResetBattery, order(Message::ResetBattery, bigU32(0))).map(nothing);
     if (is("telemetry.full"))
-        return send(order(Message::SetFullTelemetry, bigU32(on ? 1 : 0)));
+        return send(Message::SetFullTelemetry, order(Message::SetFullTelemetry, bigU32(on ? 1 : 0)))
+            .map(nothing);
     if (is("clock"))
-        return send(ask(Message::SetTimestamp, bigU32(std::uint32_t(QDateTime::currentSecsSinceEpoch()))));
+        return send(Message::SetTimestamp,
+                    ask(Message::SetTimestamp, bigU32(std::uint32_t(QDateTime::currentSecsSinceEpoch()))))
+            .map(nothing);
     if (is("vtx"))
         return transmitter(channel);
     if (is("vtx.channel"))
@@ -322,8 +323,8 @@ Result<bool> Device::beginCalibration(Channel &channel, bool isFull)
 // One answer, then its status tells (errata 7.1).
 Result<ActionReply> Device::calibrate(Channel &channel, bool isFull)
 {
-    if (const auto ready = checkDisarmed(channel); !ready)
-        return tl::unexpected(ready.error());
+    if (const auto may = checkMaySend(channel, Message::Calibrate); !may)
+        return tl::unexpected(may.error());
     const auto begun = beginCalibration(channel, isFull);
     if (!begun)
         return tl::unexpected(begun.error());
@@ -407,12 +408,13 @@ Result<ActionReply> Device::testMotor(Channel &channel, int motor)
         return tl::unexpected(may.error());
     const auto outputs
         = channel.listen([](const FrameView &frame) { return frame.id == int(Message::MotorsSpeed); });
+    if (const auto may = checkMaySend(channel, Message::MotorTest); !may)
+        return tl::unexpected(may.error());
     const auto now = status(channel);
     if (!now)
         return tl::unexpected(now.error());
-    if (now->armed || now->calibrating || !now->calibrated)
-        return failure(ErrorCode::ConditionUnmet,
-                       now->armed ? u"the drone is armed"_s : u"the drone is not calibrated"_s);
+    if (!now->calibrated)
+        return failure(ErrorCode::ConditionUnmet, u"the drone is not calibrated"_s);
     const auto told = outputs->next(kOutputsCome);
     if (!told && told.error().code != ErrorCode::Timeout)
         return tl::unexpected(told.error());
@@ -432,12 +434,8 @@ Result<ActionReply> Device::calibrateEscs(Channel &channel)
 {
     if (const auto may = checkMayTurn(); !may)
         return tl::unexpected(may.error());
-    const auto now = status(channel);
-    if (!now)
-        return tl::unexpected(now.error());
-    if (now->armed || now->calibrating)
-        return failure(ErrorCode::ConditionUnmet,
-                       now->armed ? u"the drone is armed"_s : u"the drone is calibrating"_s);
+    if (const auto may = checkMaySend(channel, Message::CalibrateEscs); !may)
+        return tl::unexpected(may.error());
     constexpr DeafPhase kPhases[] = {{"escs-off", 10s}, {"escs-full", 8s}, {"escs-zero", 8s}};  // errata 7.7
     return beDeaf(channel, order(Message::CalibrateEscs), kPhases, {});
 }
@@ -478,8 +476,8 @@ Result<QByteArray> Device::withGains(const QByteArray &text, const QByteArray &g
 // one number for each gain that differs, everything else byte for byte (errata 7.2).
 Result<ActionReply> Device::storeGains(Channel &channel)
 {
-    if (const auto ready = checkDisarmed(channel); !ready)
-        return tl::unexpected(ready.error());
+    if (const auto may = checkMaySend(channel, Message::SetConfigFile); !may)
+        return tl::unexpected(may.error());
     const auto gains = readGains(channel);
     if (!gains)
         return tl::unexpected(gains.error());

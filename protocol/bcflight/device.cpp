@@ -401,8 +401,8 @@ Result<void> Device::writeText(Channel &channel, const QByteArray &text)
         return failure(ErrorCode::Unsupported, u"the configuration text is uploaded over UDP only"_s);
     for (int attempt = 0; attempt < kUploads; ++attempt) {
         // Each time: somebody else may have armed it, and a drone that takes a text restarts even in flight.
-        if (const auto ready = checkDisarmed(channel); !ready)
-            return ready;
+        if (const auto may = checkMaySend(channel, Message::SetConfigFile); !may)
+            return may;
         channel.expectSilence(kLeaves + kComesBack);
         const auto uploaded = upload(channel, text);
         if (!uploaded && uploaded.error().code != ErrorCode::Timeout)

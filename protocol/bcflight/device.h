@@ -67,7 +67,7 @@ public:
     [[nodiscard]] const char *refusal() const override;
     [[nodiscard]] QByteArray axesKey(const Configuration &configuration) const override;
     [[nodiscard]] const char *calibration() const override { return "calibrate.all"; }
-    Result<void> checkAtRest(Channel &channel) override { return checkDisarmed(channel); }
+    Result<void> checkMayTake(Channel &channel, const RawCommand &command) override;
     Result<bool> askArmed(Channel &channel) override;
     void setHeld(bool held) override { m_isHeld = held; }
 
@@ -117,6 +117,8 @@ private:
     /// The same; one that is just being disarmed gets the time for it, and one in a test stand may stay
     /// armed. True if it is armed.
     Result<bool> checkTunable(Channel &channel) const;
+    /// By its row (MessageSpec::maySend). Errors: ConditionUnmet, those of the channel.
+    Result<void> checkMaySend(Channel &channel, Message id) const;
     [[nodiscard]] Request statusQuestion() const;
     Result<QByteArray> readGains(Channel &channel);
     Result<void> writeGains(Channel &channel, const QByteArray &bytes);

@@ -138,8 +138,8 @@ Result<ActionReply> Device::uploadFirmware(Channel &channel, const QString &path
     // Over a stream a piece may arrive in two parts, and the second would be taken for commands (2.6).
     if (!channel.observation().isPacketBased)
         return failure(ErrorCode::Unsupported, u"firmware is uploaded over UDP only"_s);
-    if (const auto ready = checkDisarmed(channel); !ready)
-        return tl::unexpected(ready.error());
+    if (const auto may = checkMaySend(channel, Message::UploadInit); !may)
+        return tl::unexpected(may.error());
     const auto told = channel.transact(askState(Message::Telemetry));
     const auto telemetry = told ? Telemetry::decode(asBytes(told->payload)) : std::nullopt;
     if (!telemetry)
@@ -157,8 +157,8 @@ Result<ActionReply> Device::uploadFirmware(Channel &channel, const QString &path
     if (const auto sent = sendPieces(channel, *image); !sent)
         return tl::unexpected(leftSilent(sent.error()));
     // It would restart in the air as well.
-    if (const auto ready = checkDisarmed(channel); !ready)
-        return tl::unexpected(leftSilent(ready.error()));
+    if (const auto may = checkMaySend(channel, Message::UploadProcess); !may)
+        return tl::unexpected(leftSilent(may.error()));
     if (channel.cancelled())
         return tl::unexpected(leftSilent({ErrorCode::Cancelled, {}, 0}));
     const Unbroken unbroken(channel);

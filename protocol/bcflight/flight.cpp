@@ -131,6 +131,26 @@ QByteArray Device::axesKey(const Configuration &configuration) const
     return QCryptographicHash::hash(text, QCryptographicHash::Sha1).toHex();
 }
 
+Result<void> Device::checkMaySend(Channel &channel, Message id) const
+{
+    switch (findMessage(id)->maySend) {
+    case MaySend::Anytime: return {};
+    case MaySend::Disarmed: return checkDisarmed(channel);
+    case MaySend::Tuning: return checkTunable(channel).map([](bool) {});
+    case MaySend::Steering:
+    case MaySend::Never: break;
+    }
+    return failure(ErrorCode::ConditionUnmet,
+                   u"%1 is not sent from here"_s.arg(QLatin1String(findMessage(id)->name)));
+}
+
+Result<void> Device::checkMayTake(Channel &channel, const RawCommand &command)
+{
+    const MessageSpec *spec = findMessage(command.name);
+    return spec ? checkMaySend(channel, spec->id)
+                : failure(ErrorCode::InvalidArgument, u"there is no message '%1'"_s.arg(command.name));
+}
+
 Result<bool> Device::checkTunable(Channel &channel) const
 {
     const TimePoint until = channel.now() + kDisarms;

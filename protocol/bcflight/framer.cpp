@@ -12,20 +12,6 @@ namespace {
 
 constexpr std::size_t kDatagram = 65000;  // longer packets are cut there (errata 2.1)
 
-// Size of the id at the front, and what it says; 0: more has to come.
-std::size_t readId(Bytes bytes, int &wire)
-{
-    if (bytes.empty())
-        return 0;
-    wire = std::to_integer<int>(bytes[0]);
-    if (wire & 0x80)
-        return 1;
-    if (bytes.size() < 2)
-        return 0;
-    wire = wire << 8 | std::to_integer<int>(bytes[1]);
-    return 2;
-}
-
 // The configuration text of generation A comes with the id that others use for the cameras' text; its CRC in
 // front tells (errata 1). Size of the payload if it is one. @param isWhole no end has to follow
 std::optional<std::size_t> oldConfigSize(Bytes bytes, bool isWhole)
@@ -82,15 +68,14 @@ void Framer::take(const FrameSink &sink, bool isWhole)
     qsizetype at = 0;
     while (at < m_buffer.size()) {
         const Bytes rest = asBytes(QByteArrayView(m_buffer).sliced(at));
-        int wire = 0;
-        const std::size_t idSize = readId(rest, wire);
-        if (idSize == 0) {
+        const auto front = readId(rest);
+        if (!front) {
             // The zero behind a text, or half an id.
             if (isWhole && rest[0] != std::byte(0))
                 discard(sink, at);
             break;
         }
-        const auto id = droneMessage(wire);
+        const auto id = droneMessage(front->wire);
         const MessageSpec *message = id ? findMessage(*id) : nullptr;
         if (!message) {
             ++m_statistics.headerErrors;
@@ -98,11 +83,11 @@ void Framer::take(const FrameSink &sink, bool isWhole)
             at = m_buffer.size();
             break;
         }
-        const Bytes payload = rest.subspan(idSize);
+        const Bytes payload = rest.subspan(front->size);
         int known = int(*id);
         auto size = payloadSize(*message->fromDrone, payload);
         if (*id == Message::Ack) {
-            known += wire & 0x7F;
+            known += front->wire & 0x7F;
             size = 2;  // the word twice (errata 5)
         } else if (*id == Message::GetCamerasInfos) {
             if (const auto old = oldConfigSize(payload, isWhole)) {
@@ -125,8 +110,8 @@ void Framer::take(const FrameSink &sink, bool isWhole)
         }
         ++m_statistics.frames;
         if (*id != Message::Unknown)
-            sink({known, payload.first(*size), 1, rest.first(idSize + *size)});
-        at += qsizetype(idSize + *size);
+            sink({known, payload.first(*size), 1, rest.first(front->size + *size)});
+        at += qsizetype(front->size + *size);
     }
     m_buffer.remove(0, at);
 }

@@ -15,6 +15,7 @@ namespace bcflight {
 namespace {
 
 constexpr qsizetype kLongestText = 200;
+constexpr std::size_t kLongestHex = 64;
 
 QString hexText(Bytes bytes)
 {
@@ -76,17 +77,16 @@ ActionRisk riskOf(Message id)
     return isQuestion ? ActionRisk::Safe : ActionRisk::Writes;
 }
 
-// Set-points and uploads are never typed: the first move the drone whatever its state is, of the others one
-// wrong byte is a burst of commands.
+// Of uploads one wrong byte is a burst of commands, and what makes it deaf is waited for.
 bool isTyped(const MessageSpec &message, Generation generation)
 {
     const Message id = message.id;
-    const bool steers = id == Message::Controls || (id >= Message::SetRoll && id <= Message::SetThrust);
     const bool uploads
         = id == Message::SetConfigFile || (id >= Message::UploadInit && id <= Message::UploadProcess);
     const bool isDeaf = id == Message::MotorTest || id == Message::CalibrateEscs;
-    return message.fromGround && id != Message::Unknown && id != Message::Ack && !steers && !uploads
-        && !isDeaf && generation >= message.askedSince && wireId(id, generation) >= 0;
+    const bool mayBe = message.maySend != MaySend::Never && message.maySend != MaySend::Steering;
+    return mayBe && id != Message::Ack && !uploads && !isDeaf && generation >= message.askedSince
+        && wireId(id, generation) >= 0;
 }
 
 QString withNote(const MessageSpec &message, const QString &fields)
@@ -99,8 +99,15 @@ QString withNote(const MessageSpec &message, const QString &fields)
 
 FrameText Device::describeFrame(const FrameView &frame, bool fromBoard) const
 {
-    if (frame.id == kDiscarded)
-        return {u"?"_s, hexText(frame.payload.first(std::min<std::size_t>(frame.payload.size(), 64)))};
+    if (frame.id == kDiscarded) {
+        const QString bytes
+            = hexText(frame.payload.first(std::min<std::size_t>(frame.payload.size(), kLongestHex)));
+        const auto front = readId(frame.payload);
+        const MessageSpec *dead = front ? findMessage(Message(front->wire)) : nullptr;
+        if (!dead || dead->fromDrone || dead->fromGround)
+            return {u"?"_s, bytes};
+        return {QString::fromLatin1(dead->name), withNote(*dead, bytes)};
+    }
     if (frame.id >= int(Message::Ack) && frame.id < int(Message::Ack) + 0x80)
         return {u"ACK_ID"_s, u"number %1"_s.arg(frame.id - int(Message::Ack))};
     const MessageSpec *spec = findMessage(Message(frame.id));
@@ -119,20 +126,18 @@ FrameText Device::describeSent(QByteArrayView bytes) const
     QStringList texts;
     Bytes rest = asBytes(bytes);
     while (!rest.empty()) {
-        const bool isShort = (rest[0] & std::byte{0x80}) != std::byte{};
-        if (!isShort && rest.size() < 2)
+        const auto front = readId(rest);
+        if (!front)
             break;
-        const int wire = isShort ? std::to_integer<int>(rest[0])
-                                 : std::to_integer<int>(rest[0]) << 8 | std::to_integer<int>(rest[1]);
         const auto id
-            = groundMessage(wire, m_generation == Generation::Unknown ? Generation::G : m_generation);
+            = groundMessage(front->wire, m_generation == Generation::Unknown ? Generation::G : m_generation);
         const MessageSpec *spec = id ? findMessage(*id) : nullptr;
         if (!spec || !spec->fromGround) {
             names.append(u"?"_s);
             texts.append(hexText(rest));
             break;
         }
-        rest = rest.subspan(isShort ? 1 : 2);
+        rest = rest.subspan(front->size);
         const int sticks = Controls::size(m_generation);
         const std::size_t size
             = std::min(payloadSize(*spec->fromGround, rest, sticks).value_or(rest.size()), rest.size());
@@ -159,10 +164,13 @@ Result<RawCommand> Device::parseCommand(const QString &text) const
     if (words.isEmpty())
         return failure(ErrorCode::InvalidArgument, u"nothing to send"_s);
     const MessageSpec *spec = findMessage(words.front());
-    if (!spec || !isTyped(*spec, m_generation))
+    if (!spec)
+        return failure(ErrorCode::InvalidArgument, u"there is no message '%1'"_s.arg(words.front()));
+    if (spec->maySend == MaySend::Never && *spec->note)
         return failure(ErrorCode::InvalidArgument,
-                       spec ? u"%1 is not sent from here"_s.arg(words.front())
-                            : u"there is no message '%1'"_s.arg(words.front()));
+                       u"%1 is not sent from here: %2"_s.arg(words.front(), QLatin1String(spec->note)));
+    if (!isTyped(*spec, m_generation))
+        return failure(ErrorCode::InvalidArgument, u"%1 is not sent from here"_s.arg(words.front()));
     std::vector<double> numbers;
     for (const QString &word : words.mid(1)) {
         bool ok = false;

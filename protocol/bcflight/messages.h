@@ -21,7 +21,12 @@ enum class Generation : std::uint8_t { Unknown, A, B, C, D, E, F, G };
 /// Messages, by their ids of generation G (errata 6).
 enum class Message : std::uint16_t {
     Unknown = 0x00,
+    Pressure = 0x10,
+    Temperature = 0x11,
     Altitude = 0x12,
+    Roll = 0x13,
+    Pitch = 0x14,
+    Yaw = 0x15,
     RollPitchYaw = 0x16,
     Accel = 0x17,
     Gyro = 0x18,
@@ -31,6 +36,7 @@ enum class Message : std::uint16_t {
     GyroDterm = 0x1C,
     Rates = 0x1D,
     RateSpectrum = 0x1E,  ///< RATE_DNF_DFT
+    SensorsData = 0x20,
     PidOutput = 0x21,
     OuterPidOutput = 0x22,
     RollPidFactors = 0x23,
@@ -89,6 +95,7 @@ enum class Message : std::uint16_t {
     Ping = 0x81,
     Telemetry = 0x82,
     Controls = 0x83,
+    Connect = 0x84,
     Status = 0x85,
     VideoPause = 0xA0,
     VideoResume = 0xA1,
@@ -152,13 +159,23 @@ struct FieldSpec
     double max = 0;
 };
 
+/// When the ground may send it (errata 9.2). Nobody else asks: the drone refuses hardly anything by itself.
+enum class MaySend : std::uint8_t {
+    Anytime,  ///< in flight as well
+    Disarmed,  ///< and not while it calibrates
+    Tuning,  ///< as Disarmed, or while it is held in a test stand
+    Steering,  ///< while somebody steers, and to end that
+    Never,
+};
+
 /// One message. What is not sent in a direction has no entry there; an empty list is a message without a
-/// payload.
+/// payload. One that has none at all is known by its name alone: how long it would be nobody knows.
 struct MessageSpec
 {
     Message id = Message::Unknown;
     const char *name = "";  ///< as the document has it
     std::optional<std::span<const FieldSpec>> fromGround;
+    MaySend maySend = MaySend::Never;
     std::optional<std::span<const FieldSpec>> fromDrone;
     bool isStreamed = false;  ///< the drone sends it by itself; it cannot be asked for
     Generation since = Generation::A;
@@ -173,6 +190,14 @@ struct MessageSpec
 
 /// The id on the wire in that generation, -1 where it does not exist. @param generation Unknown: as in G
 [[nodiscard]] int wireId(Message id, Generation generation);
+/// An id as it stands in a packet: one byte, or two where the first has no top bit (errata 2.2).
+struct WireId
+{
+    int wire = 0;
+    std::size_t size = 0;
+};
+/// The one at the front. Empty: more has to come.
+[[nodiscard]] std::optional<WireId> readId(Bytes bytes);
 /// What the drone means by this id, in whatever generation; empty: nothing. GET_CONFIG_FILE of generation A
 /// has the id of GET_CAMERAS_INFOS of the others: that one is returned.
 [[nodiscard]] std::optional<Message> droneMessage(int wire);

@@ -9,6 +9,7 @@
 
 class Channel;
 class Configuration;
+struct RawCommand;
 
 /// What a machine that flies tells of its state is old after that: it is asked five times a second, and a
 /// lost packet or two are no news.
@@ -33,9 +34,9 @@ public:
     /// What of a configuration decides how its axes are counted and its motors take part. Where it changes,
     /// the directions have to be checked anew.
     [[nodiscard]] virtual QByteArray axesKey(const Configuration &configuration) const = 0;
-    /// Asks it whether it may be told anything that changes something. On the worker. Errors: ConditionUnmet
-    /// (it is armed or calibrates), those of the channel.
-    virtual Result<void> checkAtRest(Channel &channel) = 0;
+    /// Whether it may be told this now; where that depends on its state it is asked. On the worker. Errors:
+    /// ConditionUnmet (it is armed or calibrates), those of the channel.
+    virtual Result<void> checkMayTake(Channel &channel, const RawCommand &command) = 0;
     /// Asks it once whether it is armed. On the worker. Errors: those of the channel.
     virtual Result<bool> askArmed(Channel &channel) = 0;
     /// By the operator's word it is held in a test stand: values in use may be set while it is armed.

@@ -479,9 +479,9 @@ Result<bool> sendRaw(Channel &channel, Device &device, const RawCommand &command
                      const LiveValues &live)
 {
     // What flies refuses hardly anything by itself (BCFlight errata 9.1).
-    if (device.flight() && device.identity().writable && command.risk != ActionRisk::Safe) {
-        if (const auto ready = device.flight()->checkAtRest(channel); !ready)
-            return tl::unexpected(ready.error());
+    if (device.flight() && device.identity().writable) {
+        if (const auto may = device.flight()->checkMayTake(channel, command); !may)
+            return tl::unexpected(may.error());
     }
     if (const auto backup = backupFor(channel, device, command.risk, command.name, history, live); !backup)
         return tl::unexpected(backup.error());

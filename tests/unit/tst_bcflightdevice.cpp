@@ -527,7 +527,7 @@ void TestBcflightDevice::textThatIsNotTakenIsNotPutBack()
     QCOMPARE(report->data.size(), std::size_t(1));
     QCOMPARE(report->data.front().state, WriteState::NotWritten);
     QCOMPARE(rig.board().configuration(), before);
-    const auto now = rig.device.checkAtRest(rig.channel);
+    const auto now = rig.device.checkMayTake(rig.channel, {u"SET_MODE"_s, {}});
     QVERIFY(now);
     QVERIFY(rig.board().status().calibrated);  // it has not restarted
 }
@@ -1096,6 +1096,19 @@ void TestBcflightDevice::consoleRefusesWhatSteers()
     const QByteArray lost = QByteArray::fromHex("0102");
     const FrameText discarded = rig.device.describeFrame({kDiscarded, asBytes(lost)}, true);
     QVERIFY(discarded.name == u"?"_s && discarded.fields.contains(u"01 02"_s));
+    // What nobody uses has its name, and is not sent (errata 6).
+    for (const QString &dead : {u"CONNECT"_s, u"SENSORS_DATA"_s, u"ERROR_MICROPHONE_MISSING"_s}) {
+        const auto typed = rig.device.parseCommand(dead);
+        QVERIFY(!typed);
+        QCOMPARE(typed.error().detail, dead + u" is not sent from here: nobody uses it"_s);
+        QVERIFY(!rig.device.commandNames().contains(dead));
+    }
+    QVERIFY(rig.device.parseCommand(u"SET_THRUST 0.5"_s).error().detail.contains(u"whether or not"_s));
+    const QByteArray dead = QByteArray::fromHex("00203f800000");
+    const FrameText named = rig.device.describeFrame({kDiscarded, asBytes(dead)}, true);
+    QCOMPARE(named.name, u"SENSORS_DATA"_s);
+    QVERIFY2(named.fields.contains(u"00 20 3f 80"_s) && named.fields.contains(u"nobody uses it"_s),
+             qPrintable(named.fields));
     // What an answer is worth (errata 6.5).
     const QByteArray record = rig.device.parseCommand(u"VIDEO_START_RECORD"_s).value().bytes;
     QVERIFY(rig.device.describeSent(record).fields.contains(u"no proof"_s));

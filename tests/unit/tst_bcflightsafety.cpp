@@ -117,6 +117,7 @@ private slots:
     void nothingStandsBehindAText();
     void typedWordsAreRefusedInTheAir_data();
     void typedWordsAreRefusedInTheAir();
+    void nothingForTheGroundIsSentInTheAir();
     void typedWordsAreThoseOfItsGeneration();
     void actionsWaitForTheFirstWord();
     void benchIsRefusedWhileItCalibrates();
@@ -288,6 +289,40 @@ void TestBcflightSafety::typedWordsAreRefusedInTheAir()
     // What stops always goes out.
     QVERIFY(rig.type(u"RESET_MOTORS"_s));
     QVERIFY(!rig.drone().isArmed());
+}
+
+// Whoever sends it: the row of each message decides.
+void TestBcflightSafety::nothingForTheGroundIsSentInTheAir()
+{
+    Rig rig;
+    QVERIFY(rig.calibrate());
+    QVERIFY(rig.arm());
+    rig.sent.clear();
+    const BoardHistory history(rig.dir.path());
+    int refused = 0;
+    for (const MessageSpec &message : messages()) {
+        if (message.maySend == MaySend::Anytime)
+            continue;
+        const QByteArray bytes = message.fromGround ? encode(message.id) : QByteArray("\x84");
+        const auto done = sendRaw(rig.channel, rig.device,
+                                  {QString::fromLatin1(message.name), bytes, ActionRisk::Safe}, history, {});
+        QVERIFY2(!done && done.error().code == ErrorCode::ConditionUnmet, message.name);
+        ++refused;
+    }
+    QVERIFY(refused > 50);
+    for (const ActionSpec &action : rig.device.actions()) {
+        if (!action.stopsMotors)
+            std::ignore = rig.perform(action.key, {{u"motor"_s, 1}, {u"on"_s, true}});
+    }
+    std::ignore = rig.channel.sleep(50ms);
+    for (const QByteArray &packet : rig.sent) {
+        for (const auto &id : messagesIn(packet, Generation::G))
+            QVERIFY2(id && findMessage(*id)->maySend == MaySend::Anytime, packet.toHex());
+    }
+    QVERIFY(rig.drone().isArmed());
+    // The same messages are taken on the ground.
+    QVERIFY(rig.type(u"RESET_MOTORS"_s));
+    QVERIFY(rig.type(u"SET_MODE 1"_s) && rig.hasSent("0048"));
 }
 
 void TestBcflightSafety::typedWordsAreThoseOfItsGeneration()

@@ -90,6 +90,9 @@ private slots:
     void paddingIsNothing();
     void acknowledgementsHaveTheirNumber();
     void unknownEndsItsPacket();
+    void deadIdsEndTheirPacket_data();
+    void deadIdsEndTheirPacket();
+    void everyMessageSaysWhenItMayBeSent();
     void truncatedIsNoMessage();
     void streamsOfBytesAreReassembled();
     void longTextComesInTwoDatagrams();
@@ -298,6 +301,66 @@ void TestBcflightWire::unknownEndsItsPacket()
     QCOMPARE(seen[2].id, int(Message::Status));
     QCOMPARE(statistics.headerErrors, quint64(1));
     QCOMPARE(statistics.skippedBytes, quint64(7));
+}
+
+void TestBcflightWire::deadIdsEndTheirPacket_data()
+{
+    QTest::addColumn<QByteArray>("id");
+    const auto row = [](const char *name, const char *id) { QTest::newRow(name) << QByteArray::fromHex(id); };
+    row("CONNECT", "84");
+    row("PRESSURE", "0010");
+    row("TEMPERATURE", "0011");
+    row("ROLL", "0013");
+    row("PITCH", "0014");
+    row("YAW", "0015");
+    row("SENSORS_DATA", "0020");
+}
+
+// Errata 6: known by name, and nobody knows how long they are.
+void TestBcflightWire::deadIdsEndTheirPacket()
+{
+    QFETCH(QByteArray, id);
+    const MessageSpec *message = findMessage(QString::fromLatin1(QTest::currentDataTag()));
+    QVERIFY(message && !message->fromGround && !message->fromDrone);
+    QCOMPARE(int(message->id), readId(asBytes(id))->wire);
+    for (int generation = int(Generation::A); generation <= int(Generation::G); ++generation)
+        QVERIFY(!groundMessage(int(message->id), Generation(generation)));
+    FramerStatistics statistics;
+    const QByteArray rest = id + QByteArray::fromHex("3f800000 8500000001");
+    const auto seen
+        = found({QByteArray::fromHex("8500000002") + rest, QByteArray::fromHex("8500000001")}, &statistics);
+    QCOMPARE(seen.size(), std::size_t(3));
+    QCOMPARE(seen[0].payload, QByteArray::fromHex("00000002"));
+    QCOMPARE(seen[1].id, kDiscarded);
+    QCOMPARE(seen[1].payload, rest);
+    QCOMPARE(seen[2].payload, QByteArray::fromHex("00000001"));
+    QCOMPARE(statistics.headerErrors, quint64(1));
+    QCOMPARE(statistics.skippedBytes, quint64(rest.size()));
+}
+
+// Errata 9.2, 4, 5 and 7.
+void TestBcflightWire::everyMessageSaysWhenItMayBeSent()
+{
+    const auto are = [](MaySend when, std::initializer_list<Message> ids) {
+        for (const Message id : ids) {
+            if (findMessage(id)->maySend != when)
+                return false;
+        }
+        return true;
+    };
+    using enum Message;
+    QVERIFY(are(MaySend::Disarmed,
+                {MotorTest, CalibrateEscs, MotorsBeep, SetConfigFile, UploadInit, UploadData, UploadProcess,
+                 SetMode, SetHorizonOffset, Calibrate}));
+    QVERIFY(are(MaySend::Tuning,
+                {SetRollP, SetRollI, SetRollD, SetPitchP, SetPitchI, SetPitchD, SetYawP, SetYawI, SetYawD,
+                 SetOuterP, SetOuterI, SetOuterD}));
+    QVERIFY(are(MaySend::Anytime, {ResetMotors, Status, Message::Ping, Message::Telemetry}));
+    QVERIFY(are(MaySend::Steering, {Message::Controls}));
+    for (const MessageSpec &message : messages()) {
+        const bool isNever = !message.fromGround || (message.id >= SetRoll && message.id <= SetThrust);
+        QVERIFY2((message.maySend == MaySend::Never) == isNever, message.name);
+    }
 }
 
 void TestBcflightWire::truncatedIsNoMessage()

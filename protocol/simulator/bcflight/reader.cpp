@@ -10,20 +10,15 @@ std::optional<DroneReader::Item> DroneReader::next()
 {
     if (m_rest.empty())
         return {};
-    std::size_t idSize = 1;
-    int wire = std::to_integer<int>(m_rest[0]);
-    if (!(wire & 0x80)) {
-        if (m_rest.size() < 2) {
-            m_rest = {};
-            return {};
-        }
-        wire = wire << 8 | std::to_integer<int>(m_rest[1]);
-        idSize = 2;
+    const auto front = readId(m_rest);
+    if (!front) {
+        m_rest = {};
+        return {};
     }
-    Item item{groundMessage(wire, m_generation), wire, {}, m_rest.subspan(idSize)};
+    Item item{groundMessage(front->wire, m_generation), front->wire, {}, m_rest.subspan(front->size)};
     m_rest = item.rest;
     // Both bits set is all that it looks for (5).
-    if (idSize == 2 && (wire & 0x0600) == 0x0600)
+    if (front->size == 2 && (front->wire & 0x0600) == 0x0600)
         item.id = Message::Ack;
     const MessageSpec *message = item.id ? findMessage(*item.id) : nullptr;
     if (!message || !message->fromGround)
