@@ -6,6 +6,7 @@
 #include "protocol/bcflight/infotext.h"
 #include "protocol/bcflight/luatext.h"
 #include "protocol/bcflight/tables.h"
+#include "protocol/bcflight/transmitter.h"
 #include "protocol/session/channel.h"
 
 #include <QDateTime>
@@ -28,23 +29,20 @@ constexpr auto kAway = 1500ms;  // without any answer: no loss of packets lasts 
 constexpr std::uint32_t kAccepted = 3;
 constexpr int kStopRounds = 5;
 constexpr int kOutputsLooked = 5;
-constexpr int kBandSize = 8;
 
 QString textIn(const Frame &frame)
 {
     return QString::fromUtf8(frame.payload.left(frame.payload.indexOf('\0')));
 }
 
-// Channels of video transmitters are counted from 1 through all bands (errata 6.6).
 QString bandOf(int channelNumber)
 {
-    static const QStringList bands{u"Boscam A"_s, u"Boscam B"_s, u"Boscam E"_s, u"FatShark"_s, u"RaceBand"_s};
-    return bands.value((channelNumber - 1) / kBandSize);
+    return QLatin1String(kTransmitterBands.at(std::size_t(channelNumber - 1) / kBandChannels).name);
 }
 
 int channelInBand(int channelNumber)
 {
-    return (channelNumber - 1) % kBandSize + 1;
+    return (channelNumber - 1) % kBandChannels + 1;
 }
 
 enum class Standing { Driven, Stands, Untold };
@@ -137,7 +135,7 @@ Result<ActionReply> Device::perform(Channel &channel, const QString &key, const 
         return transmitter(channel);
     if (is("vtx.channel"))
         return setTransmitter(channel, Message::VtxSetChannel,
-                              number("band") * kBandSize + number("channel"));
+                              number("band") * kBandChannels + number("channel"));
     if (is("vtx.power"))
         return setTransmitter(channel, Message::VtxSetPower, number("power") - 1);
     if (key == u"camera"_s || key.startsWith(u"camera."_s))
@@ -282,7 +280,7 @@ Result<ActionReply> Device::transmitter(Channel &channel) const
     if (values.size() < 5)
         return failure(ErrorCode::BadReply, request.name);
     const int channelNumber = int(values[0].number);
-    if (channelNumber < 1 || channelNumber > 5 * kBandSize)
+    if (channelNumber < 1 || channelNumber > int(kTransmitterBands.size()) * kBandChannels)
         return failure(ErrorCode::Unsupported, u"the drone has no video transmitter"_s);
     QStringList powers;
     for (const float dbm : values[4].numbers)

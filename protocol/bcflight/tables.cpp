@@ -5,6 +5,7 @@
 #include "protocol/bcflight/luacheck.h"
 #include "protocol/bcflight/luatext.h"
 #include "protocol/bcflight/messages.h"
+#include "protocol/bcflight/transmitter.h"
 #include "protocol/configuration/configuration.h"
 
 namespace bcflight {
@@ -112,15 +113,20 @@ constexpr ChannelSpec kChannels[] = {
 static_assert(std::size(kChannels) == ChannelCount);
 
 constexpr Choice kModes[] = {{0, "rate"}, {1, "stabilised"}};
-constexpr Choice kTransmitterBands[] = {{0, "Boscam A"}, {1, "Boscam B"}, {2, "Boscam E"}, {3, "FatShark"}, {4, "RaceBand"}};
+constexpr auto kBandChoices = [] {
+    std::array<Choice, kTransmitterBands.size()> choices{};
+    for (std::size_t band = 0; band < choices.size(); ++band)
+        choices[band] = {int(band), kTransmitterBands[band].name};
+    return choices;
+}();
 constexpr Choice kStepChoices[] = {{0, "brightness.up"}, {1, "brightness.down"}, {2, "contrast.up"}, {3, "contrast.down"}, {4, "saturation.up"},
                              {5, "saturation.down"}, {6, "iso.up"}, {7, "iso.down"}, {8, "shutter.up"}, {9, "shutter.down"}};
 constexpr ArgumentSpec kModeChoice[] = {{.key = "mode", .label = "Mode", .kind = ArgumentKind::Choice, .choices = kModes}};
 constexpr ArgumentSpec kOn[] = {{.key = "on", .label = "On", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
 // How many it has the drone tells (Device::testMotor()).
 constexpr ArgumentSpec kMotorNumber[] = {{.key = "motor", .label = "Motor", .kind = ArgumentKind::Integer, .min = 1, .max = 99}};
-constexpr ArgumentSpec kChannelNumber[] = {{.key = "band", .label = "Band", .kind = ArgumentKind::Choice, .choices = kTransmitterBands},
-                                           {.key = "channel", .label = "Channel", .kind = ArgumentKind::Integer, .min = 1, .max = 8}};
+constexpr ArgumentSpec kChannelNumber[] = {{.key = "band", .label = "Band", .kind = ArgumentKind::Choice, .choices = kBandChoices},
+                                           {.key = "channel", .label = "Channel", .kind = ArgumentKind::Integer, .min = 1, .max = kBandChannels}};
 constexpr ArgumentSpec kPowerNumber[] = {{.key = "power", .label = "Power", .kind = ArgumentKind::Integer, .min = 1, .max = 8}};
 constexpr ArgumentSpec kStep[] = {{.key = "step", .label = "Step", .kind = ArgumentKind::Choice, .choices = kStepChoices}};
 constexpr ArgumentSpec kFirmwareFile[] = {{.key = "file", .label = "File", .kind = ArgumentKind::Text}};
@@ -157,8 +163,8 @@ constexpr ActionSpec kActions[] = {
     {.key = "clock", .label = "Set clock", .help = "To the time of this computer.", .group = "Drone", .risk = ActionRisk::Writes, .since = kFrom, .needs = kDisarmed, .isShown = false},
     {.key = "telemetry.full", .label = "Full telemetry", .help = "Attitude and sensors in each packet.", .group = "Drone", .arguments = kOn, .since = kFrom, .answered = false},
     {.key = "vtx", .label = "Video transmitter", .help = "Channel and power.", .group = "Video transmitter", .since = kFrom, .units = kUnits},
-    {.key = "vtx.channel", .label = "Set channel", .help = "Band and channel.", .group = "Video transmitter", .risk = ActionRisk::Writes, .arguments = kChannelNumber, .since = kFrom, .units = kUnits},
-    {.key = "vtx.power", .label = "Set power", .help = "A step of its own table, from 1.", .group = "Video transmitter", .risk = ActionRisk::Writes, .arguments = kPowerNumber, .since = kFrom, .units = kUnits},
+    {.key = "vtx.channel", .label = "Set channel", .help = "Band and channel.", .group = "Video transmitter", .risk = ActionRisk::Writes, .arguments = kChannelNumber, .since = kFrom, .needs = kDisarmed, .units = kUnits},
+    {.key = "vtx.power", .label = "Set power", .help = "A step of its own table, from 1.", .group = "Video transmitter", .risk = ActionRisk::Writes, .arguments = kPowerNumber, .since = kFrom, .needs = kDisarmed, .units = kUnits},
     {.key = "camera", .label = "Camera settings", .help = "Sensitivity and shutter.", .group = "Camera", .since = kFrom},
     {.key = "camera.step", .label = "Change the picture", .help = "By one step; what it is cannot be read. Today's driver does nothing for the shutter.", .group = "Camera", .arguments = kStep, .since = kFrom, .answered = false},
     {.key = "camera.white_balance", .label = "Next white balance", .help = "Switches to the next one and tells which.", .group = "Camera", .since = kFrom},

@@ -75,6 +75,8 @@ public:
     [[nodiscard]] const std::deque<Handled> &handled() const { return m_handled; }
     [[nodiscard]] bool isStreamPaused() const { return m_isStreamPaused; }
     [[nodiscard]] bool isBeeping() const { return m_isBeeping; }
+    /// Of its video transmitter: the channel from 1 through all bands, the step of power from 0.
+    [[nodiscard]] std::pair<int, int> transmitterState() const { return {m_vtxChannel, m_vtxPower}; }
 
 private:
     // state and control (board.cpp)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/analysis/segments.h"
 #include "protocol/bcflight/luatext.h"
+#include "protocol/bcflight/transmitter.h"
 #include "protocol/simulator/bcflight/board.h"
 
 #include <algorithm>
@@ -16,12 +17,6 @@ constexpr int kTransform = 512;
 constexpr double kCellEmpty = 3.0;
 constexpr double kCellFull = 4.2;
 
-// Boscam A, B, E, FatShark, RaceBand (6.6).
-constexpr int kBands[5][8] = {{5865, 5845, 5825, 5805, 5785, 5765, 5745, 5725},
-                              {5733, 5752, 5771, 5790, 5809, 5828, 5847, 5866},
-                              {5705, 5685, 5665, 5645, 5885, 5905, 5925, 5945},
-                              {5740, 5760, 5780, 5800, 5820, 5840, 5860, 5880},
-                              {5658, 5695, 5732, 5769, 5806, 5843, 5880, 5917}};
 constexpr int kPowers[] = {14, 20, 26};  // dBm
 
 QByteArray vector(const Vector3 &value)
@@ -137,11 +132,12 @@ QByteArray SimulatedBoard::transmitter() const
 {
     if (!m_options.own.value(QLatin1String(kTransmitter), 1))
         return QByteArray(5, char(0xFF)) + '\0';
-    const int channel = m_vtxChannel - 1;
+    const auto channel = std::size_t(m_vtxChannel - 1);
     QByteArray powers;
     for (const int dbm : kPowers)
         powers.append(char(dbm));
-    return QByteArray(1, char(m_vtxChannel)) + bigU16(std::uint16_t(kBands[channel / 8][channel % 8]))
+    return QByteArray(1, char(m_vtxChannel))
+        + bigU16(std::uint16_t(kTransmitterBands[channel / kBandChannels].mhz[channel % kBandChannels]))
         + char(m_vtxPower) + char(kPowers[m_vtxPower]) + char(std::size(kPowers)) + powers;
 }
 
