@@ -1372,30 +1372,6 @@
         <translation>Die Motoren piepsen, bis das beendet wird. Ob sie es tun, sagt die Drohne nicht.</translation>
     </message>
     <message>
-        <source>Not connected.</source>
-        <translation>Nicht verbunden.</translation>
-    </message>
-    <message>
-        <source>This drone is only looked at: its generation of the protocol is not known well enough.</source>
-        <translation>Diese Drohne wird nur angesehen: Die Generation ihres Protokolls ist nicht gut genug bekannt.</translation>
-    </message>
-    <message>
-        <source>The drone is armed.</source>
-        <translation>Die Drohne ist scharf.</translation>
-    </message>
-    <message>
-        <source>Motors are driven already.</source>
-        <translation>Es werden schon Motoren angetrieben.</translation>
-    </message>
-    <message>
-        <source>Whether it is armed is not known at present.</source>
-        <translation>Ob sie scharf ist, ist gerade nicht bekannt.</translation>
-    </message>
-    <message>
-        <source>It calibrates.</source>
-        <translation>Sie kalibriert gerade.</translation>
-    </message>
-    <message>
         <source>Turn motor %1…</source>
         <translation>Motor %1 drehen…</translation>
     </message>
@@ -1436,10 +1412,6 @@
     <message>
         <source>The calibration of the motor controllers is over. Whether they took it only their tones tell.</source>
         <translation>Die Kalibrierung der Motorregler ist vorbei. Ob sie sie übernommen haben, sagen nur ihre Töne.</translation>
-    </message>
-    <message>
-        <source>Calibrate it first: without that, a motor test hangs it until it is switched off.</source>
-        <translation>Kalibrieren Sie sie zuerst: Sonst hängt sie bei einem Motortest, bis sie ausgeschaltet wird.</translation>
     </message>
     <message>
         <source>The drone does not stream its outputs, so nobody knows how many motors it has. Switch full telemetry on.</source>
@@ -3148,6 +3120,37 @@
     <message>
         <source>Show in the text</source>
         <translation>Im Text zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>DroneObstacle</name>
+    <message>
+        <source>Not connected.</source>
+        <translation>Nicht verbunden.</translation>
+    </message>
+    <message>
+        <source>This drone is only looked at: its generation of the protocol is not known well enough.</source>
+        <translation>Diese Drohne wird nur angesehen: Die Generation ihres Protokolls ist nicht gut genug bekannt.</translation>
+    </message>
+    <message>
+        <source>The drone is armed.</source>
+        <translation>Die Drohne ist scharf.</translation>
+    </message>
+    <message>
+        <source>Motors are driven already.</source>
+        <translation>Es werden schon Motoren angetrieben.</translation>
+    </message>
+    <message>
+        <source>Whether it is armed is not known at present.</source>
+        <translation>Ob sie scharf ist, ist gerade nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>It calibrates.</source>
+        <translation>Sie kalibriert gerade.</translation>
+    </message>
+    <message>
+        <source>Calibrate it first: without that, a motor test hangs it until it is switched off.</source>
+        <translation>Kalibrieren Sie sie zuerst: Sonst hängt sie bei einem Motortest, bis sie ausgeschaltet wird.</translation>
     </message>
 </context>
 <context>
@@ -20927,6 +20930,73 @@ Spitze %2°</translation>
     <message>
         <source>The line is slow: %1 comes %2 times a second instead of %3.</source>
         <translation>Die Leitung ist langsam: %1 kommt %2-mal statt %3-mal je Sekunde.</translation>
+    </message>
+</context>
+<context>
+    <name>TransmitterCard</name>
+    <message>
+        <source>Video transmitter</source>
+        <translation>Videosender</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Setzen</translation>
+    </message>
+    <message>
+        <source>Set band and channel</source>
+        <translation>Band und Kanal setzen</translation>
+    </message>
+    <message>
+        <source>Set the power</source>
+        <translation>Leistung setzen</translation>
+    </message>
+    <message>
+        <source>Band</source>
+        <translation>Band</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>%1: %2 MHz</source>
+        <translation>%1: %2 MHz</translation>
+    </message>
+    <message>
+        <source>✓ Set, and read back.</source>
+        <translation>✓ Gesetzt und ausgelesen.</translation>
+    </message>
+    <message>
+        <source>✖ Not set. What it sends with is read again.</source>
+        <translation>✖ Nicht gesetzt. Womit er sendet, wird neu ausgelesen.</translation>
+    </message>
+    <message>
+        <source>The drone says that it has no video transmitter.</source>
+        <translation>Die Drohne sagt, dass sie keinen Videosender hat.</translation>
+    </message>
+    <message>
+        <source>What it sends with could not be read: %1</source>
+        <translation>Womit er sendet, ließ sich nicht auslesen: %1</translation>
+    </message>
+    <message>
+        <source>Sends in the band %1 on channel %2, at %3 MHz, with %4 dBm (step %5 of %6).</source>
+        <translation>Sendet im Band %1 auf Kanal %2, bei %3 MHz, mit %4 dBm (Stufe %5 von %6).</translation>
+    </message>
+    <message>
+        <source>⚠ In the list of bands this channel has %1 MHz.</source>
+        <translation>⚠ In der Liste der Bänder hat dieser Kanal %1 MHz.</translation>
+    </message>
+    <message>
+        <source>%1: %2 dBm</source>
+        <translation>%1: %2 dBm</translation>
+    </message>
+    <message>
+        <source>What it sends with is not known yet.</source>
+        <translation>Womit er sendet, ist noch nicht bekannt.</translation>
     </message>
 </context>
 <context>

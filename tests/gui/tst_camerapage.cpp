@@ -3,16 +3,23 @@
 #include "app/families/bcflight/camerapage.h"
 #include "app/families/bcflight/fullview.h"
 #include "app/families/bcflight/picturesettings.h"
+#include "app/families/bcflight/transmittercard.h"
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/linkbar.h"
 #include "app/mainwindow/translations.h"
+#include "protocol/bcflight/messages.h"
+#include "protocol/bcflight/payloads.h"
+#include "protocol/session/channel.h"
+#include "protocol/simulator/bcflight/board.h"
 #include "protocol/simulator/video/scene.h"
 #include "protocol/video/videomodule.h"
+#include "tests/support/boardhost.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/panel.h"
 #include "widgets/views/elidedlabel.h"
 #include "widgets/views/videoview.h"
 
+#include <QComboBox>
 #include <QDialog>
 #include <QDir>
 #include <QImage>
@@ -25,6 +32,7 @@
 #include <QUdpSocket>
 
 using namespace Qt::StringLiterals;
+using Drone = bcflight::SimulatedBoard;
 
 /// The page with the picture of a simulated drone's camera.
 class TestCameraPage final : public QObject
@@ -32,7 +40,11 @@ class TestCameraPage final : public QObject
     Q_OBJECT
 private slots:
     void init();
-    void cleanup() { m_rig.reset(); }
+    void cleanup()
+    {
+        m_rig.reset();
+        m_drone.reset();
+    }
     void theModuleIsLoadedOnceItIsNeeded();
     void picturesComeByThemselves();
     void lossOfThePictureIsTold();
@@ -48,6 +60,11 @@ private slots:
     void whatTheDroneTellsIsShown();
     void itsOwnQuestionsWaitWithoutAWord();
     void lensShadingIsSet();
+    void transmitterIsSet();
+    void transmitterThatWasNotToldKeepsItsChannel();
+    void transmitterIsLeftAloneInFlight();
+    void whatTransmitterThereIsIsTold_data();
+    void whatTransmitterThereIsIsTold();
     void addressesAreTypedAndKept();
     void foldersAreTyped();
     void dronesWithoutACameraAreTold();
@@ -58,10 +75,17 @@ private slots:
 private:
     /// Connects and shows the page.
     void open(const QString &options = {});
+    /// The same with a drone that can be looked into.
+    void openDrone(int deafTo = -1);
+    [[nodiscard]] std::pair<int, int> transmitter()
+    {
+        return m_drone->with<Drone>([](Drone &drone) { return drone.transmitterState(); });
+    }
     [[nodiscard]] bool hasPicture() const;
     [[nodiscard]] QStringList filesIn(const QString &suffix) const;
     [[nodiscard]] QStringList texts() const;
 
+    std::unique_ptr<DatagramBoardHost> m_drone;
     std::unique_ptr<WindowRig> m_rig;
     CameraPage *m_page = nullptr;
 };
@@ -78,6 +102,21 @@ void TestCameraPage::open(const QString &options)
     QVERIFY(m_rig->open(u"sim:bcflight?stand=1&seed=%1"_s.arg(++seed) + options));
     m_page = m_rig->page<CameraPage>();
     QVERIFY(m_page);
+}
+
+void TestCameraPage::openDrone(int deafTo)
+{
+    SimulatorOptions options;
+    options.faults.pose = 1;
+    options.faults.shake = 0;
+    options.faults.deaf = deafTo;
+    m_drone = std::make_unique<DatagramBoardHost>(
+        std::make_unique<SimulatedPort>(std::make_unique<Drone>(options), options, std::nullopt));
+    QVERIFY(m_drone->start());
+    QVERIFY(m_rig->open(m_drone->address()));
+    m_page = m_rig->page<CameraPage>();
+    QVERIFY(m_page);
+    QTRY_VERIFY(m_page->transmitter()->channelButton()->isEnabled());
 }
 
 bool TestCameraPage::hasPicture() const
@@ -414,6 +453,109 @@ void TestCameraPage::lensShadingIsSet()
     QTest::mouseClick(set, Qt::LeftButton);
     QTRY_VERIFY(!m_rig->window().panels()->isOpen());
     QVERIFY(m_rig->jobsAreDone());
+}
+
+// By mouse and keyboard, and seen on the drone.
+void TestCameraPage::transmitterIsSet()
+{
+    openDrone();
+    TransmitterCard &card = *m_page->transmitter();
+    QCOMPARE(card.told(),
+             u"Sends in the band RaceBand on channel 5, at 5806 MHz, with 14 dBm (step 1 of 3)."_s);
+    QCOMPARE(card.band()->currentText(), u"RaceBand"_s);
+    QCOMPARE(card.channel()->currentText(), u"5: 5806 MHz"_s);
+    QCOMPARE(card.power()->count(), 3);
+    QCOMPARE(card.power()->currentText(), u"1: 14 dBm"_s);
+    QTest::keyClick(card.band(), Qt::Key_F);
+    QCOMPARE(card.band()->currentText(), u"FatShark"_s);
+    QCOMPARE(card.channel()->currentText(), u"5: 5820 MHz"_s);
+    QTest::keyClick(card.channel(), Qt::Key_Home);
+    QCOMPARE(card.channel()->currentText(), u"1: 5740 MHz"_s);
+    QCOMPARE(transmitter(), std::pair(37, 0));
+    QTest::mouseClick(card.channelButton(), Qt::LeftButton);
+    QVERIFY(!card.channelButton()->isEnabled());
+    QTRY_COMPARE(transmitter(), std::pair(25, 0));
+    QTRY_COMPARE(card.told(),
+                 u"Sends in the band FatShark on channel 1, at 5740 MHz, with 14 dBm (step 1 of 3)."_s);
+    QVERIFY2(card.said().startsWith(u'✓'), qPrintable(card.said()));
+    QTest::keyClick(card.power(), Qt::Key_End);
+    QCOMPARE(card.power()->currentText(), u"3: 26 dBm"_s);
+    QTest::keyClick(card.powerButton(), Qt::Key_Space);
+    QTRY_COMPARE(transmitter(), std::pair(25, 2));
+    QTRY_VERIFY2(card.told().contains(u"with 26 dBm (step 3 of 3)"_s), qPrintable(card.told()));
+    // What another hand has changed is seen when one comes back.
+    QVERIFY(m_rig->window().showPage(u"monitor"_s));
+    m_rig->client().submit<void>([](Channel &channel, Device &device) -> Result<void> {
+        return device.perform(channel, u"vtx.power"_s, {{u"power"_s, 2}}).map([](const ActionReply &) {});
+    });
+    QVERIFY(m_rig->jobsAreDone());
+    QVERIFY(m_rig->window().showPage(u"camera"_s));
+    QTRY_VERIFY2(card.told().contains(u"with 20 dBm (step 2 of 3)"_s), qPrintable(card.told()));
+    QCOMPARE(card.power()->currentText(), u"2: 20 dBm"_s);
+    m_rig->client().disconnectFromBoard();
+    QTRY_VERIFY(!card.channelButton()->isEnabled());
+    QCOMPARE(card.obstacle(), u"Not connected."_s);
+    QVERIFY2(card.told().contains(u"not known"_s), qPrintable(card.told()));
+}
+
+void TestCameraPage::transmitterThatWasNotToldKeepsItsChannel()
+{
+    openDrone(int(bcflight::Message::VtxSetChannel));
+    TransmitterCard &card = *m_page->transmitter();
+    const QString before = card.told();
+    QTest::keyClick(card.channel(), Qt::Key_Home);
+    QTest::mouseClick(card.channelButton(), Qt::LeftButton);
+    QTRY_VERIFY2_WITH_TIMEOUT(card.said().startsWith(u'✖'), qPrintable(card.said()), kPatience);
+    QTRY_COMPARE(card.told(), before);
+    QCOMPARE(transmitter(), std::pair(37, 0));
+    QCOMPARE(card.channel()->currentText(), u"1: 5658 MHz"_s);  // to be tried again
+    QTRY_VERIFY(card.channelButton()->isEnabled());
+}
+
+// Who looks through its camera must not lose the picture.
+void TestCameraPage::transmitterIsLeftAloneInFlight()
+{
+    openDrone();
+    const TransmitterCard &card = *m_page->transmitter();
+    const auto calibrated = m_rig->workspace().perform(u"calibrate.all"_s, {});
+    QTRY_VERIFY_WITH_TIMEOUT(calibrated.isFinished(), kPatience);
+    m_rig->client().submit<bool>([](Channel &channel, Device &) -> Result<bool> {
+        Request request;
+        const bcflight::Controls wanted{.thrust = 0.3, .arm = true};
+        request.bytes = bcflight::encode(bcflight::Message::Controls, wanted.encode(bcflight::Generation::G));
+        channel.post(request);
+        return true;
+    });
+    QTRY_COMPARE(card.obstacle(), u"The drone is armed."_s);
+    QTRY_VERIFY(!card.channelButton()->isEnabled() && !card.powerButton()->isEnabled());
+    // Neither does the page of all actions do it.
+    const auto refused = m_rig->workspace().perform(u"vtx.power"_s, {{u"power"_s, 2}});
+    QTRY_VERIFY_WITH_TIMEOUT(refused.isFinished(), kPatience);
+    QCOMPARE(refused.result().error().code, ErrorCode::ConditionUnmet);
+    QCOMPARE(transmitter(), std::pair(37, 0));
+}
+
+void TestCameraPage::whatTransmitterThereIsIsTold_data()
+{
+    QTest::addColumn<QString>("options");
+    QTest::addColumn<QString>("told");
+    QTest::addColumn<QString>("obstacle");
+    QTest::newRow("none") << u"&vtx=0"_s << u"no video transmitter"_s << QString();
+    QTest::newRow("before it could be told") << u"&generation=E"_s << u"not known"_s << u"only looked at"_s;
+}
+
+void TestCameraPage::whatTransmitterThereIsIsTold()
+{
+    QFETCH(const QString, options);
+    QFETCH(const QString, told);
+    QFETCH(const QString, obstacle);
+    open(options);
+    const TransmitterCard &card = *m_page->transmitter();
+    QTRY_VERIFY2(card.told().contains(told), qPrintable(card.told()));
+    QTRY_VERIFY2(obstacle.isEmpty() ? card.obstacle().isEmpty() : card.obstacle().contains(obstacle),
+                 qPrintable(card.obstacle()));
+    QVERIFY(m_rig->boardGoesOn(0.5));
+    QVERIFY(!card.channelButton()->isEnabled() && !card.powerButton()->isEnabled());
 }
 
 void TestCameraPage::addressesAreTypedAndKept()

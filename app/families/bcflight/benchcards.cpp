@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/families/bcflight/benchcards.h"
 
+#include "app/families/bcflight/cardlabels.h"
 #include "app/workspace/filedialogs.h"
 #include "protocol/base/battery.h"
 #include "protocol/base/checksum.h"
@@ -30,14 +31,6 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr std::array<const char *, 3> kEscSteps{"escs-off", "escs-full", "escs-zero"};
-
-QLabel *wrappedLabel(const QString &text, const char *look = "")
-{
-    auto *label = new QLabel(text);
-    label->setObjectName(QLatin1String(look));
-    label->setWordWrap(true);
-    return label;
-}
 
 }  // namespace
 
@@ -115,7 +108,7 @@ FirmwareCard::FirmwareCard(Workspace &workspace, QWidget *parent)
     , m_cancel(new QPushButton(tr("Cancel")))
     , m_bar(new QProgressBar)
     , m_why(wrappedLabel({}, "muted"))
-    , m_said(wrappedLabel({}))
+    , m_said(wrappedLabel())
 {
     content()->addWidget(wrappedLabel(
         tr("Replaces the drone's program and restarts it. The drone tests nothing but the checksum: a file "
@@ -180,10 +173,7 @@ QString FirmwareCard::said() const
 
 void FirmwareCard::say(const QString &text, const char *look)
 {
-    m_said->setText(text);
-    m_said->setObjectName(QLatin1String(look));
-    m_said->setVisible(!text.isEmpty());
-    repolish(m_said);
+    sayIn(*m_said, text, look);
 }
 
 void FirmwareCard::showState()

@@ -3,6 +3,7 @@
 #include "app/families/bcflight/benchpage.h"
 
 #include "app/families/bcflight/benchcards.h"
+#include "app/families/bcflight/droneobstacle.h"
 #include "app/workspace/flightstate.h"
 #include "protocol/client/whendone.h"
 #include "widgets/forms/numberbox.h"
@@ -191,22 +192,7 @@ void BenchPage::showEvent(QShowEvent *event)
 
 QString BenchPage::obstacle() const
 {
-    const DeviceClient &client = workspace().client();
-    if (!client.isConnected())
-        return tr("Not connected.");
-    if (!client.identity().writable)
-        return tr("This drone is only looked at: its generation of the protocol is not known well enough.");
-    switch (m_state->state()) {
-    case ArmedState::State::Armed: return tr("The drone is armed.");
-    case ArmedState::State::RunsOn: return tr("Motors are driven already.");
-    case ArmedState::State::Unknown: return tr("Whether it is armed is not known at present.");
-    case ArmedState::State::Calibrating: return tr("It calibrates.");
-    case ArmedState::State::NotCalibrated:
-        return tr("Calibrate it first: without that, a motor test hangs it until it is switched off.");
-    case ArmedState::State::Disarmed:
-    case ArmedState::State::OutputsUnknown: break;
-    }
-    return {};
+    return droneObstacle(workspace(), Calibration::Needed);
 }
 
 void BenchPage::refresh()
@@ -241,13 +227,10 @@ void BenchPage::refresh()
     m_go->setVisible(!m_lacking.isEmpty());
     const QString busy = m_isRunning ? tr("Wait until what is being done is over.") : QString();
     m_escs->setObstacle(m_isRunning ? busy : obstacle());
-    // Neither needs a calibration.
-    const ArmedState::State state = m_state->state();
-    const bool isAtRest = workspace().client().isConnected() && workspace().client().identity().writable
-        && ArmedState::isDisarmed(state);
-    m_firmware->setObstacle(m_isRunning ? busy : isAtRest ? QString() : obstacle());
-    m_beep->setEnabled(isAtRest && !m_isRunning);
-    m_silence->setEnabled(isAtRest && !m_isRunning);
+    const QString atRest = droneObstacle(workspace(), Calibration::NotNeeded);
+    m_firmware->setObstacle(m_isRunning ? busy : atRest);
+    m_beep->setEnabled(atRest.isEmpty() && !m_isRunning);
+    m_silence->setEnabled(atRest.isEmpty() && !m_isRunning);
     refreshDeaf();
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/families/bcflight/fullview.h"
 #include "app/families/bcflight/picturesettings.h"
+#include "app/families/bcflight/transmittercard.h"
 #include "app/families/bcflight/videofiles.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/views/card.h"
@@ -43,6 +44,7 @@ CameraPage::CameraPage(Workspace &workspace, QWidget *parent)
     , m_cover(new StaleCover(workspace.theme(), *m_view))
     , m_fullView(std::make_unique<FullView>(*m_view))
     , m_settings(new PictureSettings(workspace))
+    , m_transmitter(new TransmitterCard(workspace))
     , m_record(new QPushButton(tr("Record")))
     , m_still(new QPushButton(tr("Take a picture")))
     , m_full(new QPushButton(tr("Full screen")))
@@ -99,6 +101,7 @@ void CameraPage::makeRight()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(12);
     column->addWidget(m_settings);
+    column->addWidget(m_transmitter);
     column->addWidget(makeConnection());
     column->addStretch(1);
     auto *scroll = new QScrollArea;
@@ -194,6 +197,8 @@ void CameraPage::follow()
     const bool isOfUse = (isVisible() || m_video.isRecording())
         && workspace().client().state() != DeviceClient::State::Disconnected;
     m_video.setPaused(!isVisible());
+    if (isVisible())
+        m_transmitter->ask();
     if (!isOfUse) {
         m_video.stop();
         if (!workspace().client().isConnected())
@@ -294,6 +299,7 @@ QString CameraPage::figures() const
 
 void CameraPage::refresh()
 {
+    m_transmitter->refresh();
     const VideoStatistics statistics = m_video.statistics();
     m_view->setNote(waitingText(statistics));
     const bool hasPicture = m_view->picture() != nullptr;

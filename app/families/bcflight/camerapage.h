@@ -10,10 +10,11 @@ class FullView;
 class PictureSettings;
 class QLineEdit;
 class QPushButton;
+class TransmitterCard;
 class VideoView;
 
-/// The live picture of a drone's camera, pictures and recordings of it in files, and what the camera can be
-/// told. Video is received while the page is seen, or recorded.
+/// The live picture of a drone's camera, pictures and recordings of it in files, and what the camera and an
+/// analog transmitter can be told. Video is received while the page is seen, or recorded.
 class CameraPage final : public Page
 {
     Q_OBJECT
@@ -25,6 +26,7 @@ public:
     [[nodiscard]] VideoView *view() const { return m_view; }
     [[nodiscard]] VideoPipeline &video() { return m_video; }
     [[nodiscard]] PictureSettings *settings() const { return m_settings; }
+    [[nodiscard]] TransmitterCard *transmitter() const { return m_transmitter; }
     [[nodiscard]] QPushButton *recordButton() const { return m_record; }
     [[nodiscard]] QPushButton *stillButton() const { return m_still; }
     [[nodiscard]] QPushButton *fullButton() const { return m_full; }
@@ -69,6 +71,7 @@ private:
     StaleCover *m_cover;
     std::unique_ptr<FullView> m_fullView;
     PictureSettings *m_settings;
+    TransmitterCard *m_transmitter;
     QPushButton *m_record;
     QPushButton *m_still;
     QPushButton *m_full;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/families/bcflight/picturesettings.h"
 
+#include "app/families/bcflight/cardlabels.h"
+#include "app/families/bcflight/quietquestion.h"
 #include "protocol/client/whendone.h"
 #include "widgets/forms/argumentform.h"
 #include "widgets/forms/panel.h"
@@ -36,19 +38,13 @@ enum PictureStep {
     ShutterDown
 };
 
-QLabel *hintLabel(const QString &text)
-{
-    auto *label = new QLabel(text);
-    label->setObjectName(u"muted"_s);
-    label->setWordWrap(true);
-    return label;
-}
-
 }  // namespace
 
 PictureSettings::PictureSettings(Workspace &workspace, QWidget *parent)
     : QWidget(parent)
     , m_workspace(workspace)
+    , m_question(new QuietQuestion(
+          workspace, u"camera"_s, [this](const Result<ActionOutcome> &outcome) { onTold(outcome); }, this))
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -57,8 +53,6 @@ PictureSettings::PictureSettings(Workspace &workspace, QWidget *parent)
     column->addWidget(makeLight());
     column->addWidget(makeOnDrone());
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &PictureSettings::updateState);
-    connect(&workspace.live(), &LiveModel::heldChanged, this, &PictureSettings::askIfDue);
-    connect(&workspace.client(), &DeviceClient::statisticsChanged, this, &PictureSettings::askIfDue);
     updateState();
 }
 
@@ -73,9 +67,10 @@ QWidget *PictureSettings::makePicture()
     addSteps(*grid, tr("Sensitivity (ISO)"), u"iso"_s, IsoDown, tr("By 100. 0 is automatic."));
     addSteps(*grid, tr("Shutter"), u"shutter"_s, ShutterDown, tr("By 100. Today's driver does nothing."));
     card->content()->addLayout(grid);
-    card->content()->addWidget(hintLabel(
+    card->content()->addWidget(wrappedLabel(
         tr("The drone does not tell brightness, contrast and saturation: judge by the picture. Nothing "
-           "here outlasts a restart.")));
+           "here outlasts a restart."),
+        "muted"));
     return card;
 }
 
@@ -133,9 +128,10 @@ QWidget *PictureSettings::makeOnDrone()
     row->addWidget(addButton(u"camera.picture"_s, tr("Picture"), tr("Take a picture on the drone"),
                              tr("Today's driver does nothing."), [this] { perform(u"camera.picture"_s); }));
     card->content()->addLayout(row);
-    card->content()->addWidget(hintLabel(
+    card->content()->addWidget(wrappedLabel(
         tr("The drone confirms recording whatever it does: that is no proof. Its recordings are listed "
-           "on the page Recordings. Use Record below the picture for a file here.")));
+           "on the page Recordings. Use Record below the picture for a file here."),
+        "muted"));
     return card;
 }
 
@@ -182,17 +178,7 @@ QString PictureSettings::told(const QString &what) const
 
 void PictureSettings::ask()
 {
-    m_isAskDue = true;
-    askIfDue();
-}
-
-void PictureSettings::askIfDue()
-{
-    if (m_workspace.isFlown() || m_workspace.live().isHeld() || !m_workspace.client().isConnected()
-        || !std::exchange(m_isAskDue, false))
-        return;
-    whenDone(m_workspace.perform(u"camera"_s, {}, true), this,
-             [this](const Result<ActionOutcome> &outcome) { onTold(outcome); });
+    m_question->ask();
 }
 
 void PictureSettings::perform(const QString &key, const QVariantMap &arguments)
@@ -245,7 +231,7 @@ void PictureSettings::openLens(const QVariantMap &values)
     QPushButton *set = buttons->addButton(tr("Set"), QDialogButtonBox::AcceptRole);
     set->setObjectName(u"primary"_s);
     auto *layout = new QVBoxLayout(dialog);
-    layout->addWidget(hintLabel(tableText(action->help)));
+    layout->addWidget(wrappedLabel(tableText(action->help), "muted"));
     layout->addWidget(form);
     layout->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);

@@ -9,6 +9,7 @@
 class QGridLayout;
 class QLabel;
 class QPushButton;
+class QuietQuestion;
 
 /// What the camera of a drone can be told, and what is known to come of it (errata 6.5): most of it cannot be
 /// read back.
@@ -18,8 +19,7 @@ class PictureSettings final : public QWidget
 public:
     explicit PictureSettings(Workspace &workspace, QWidget *parent = nullptr);
 
-    /// Asks the drone for what it tells: sensitivity and shutter. Nobody ordered it: while something runs, it
-    /// waits until that is over, without a word.
+    /// Asks the drone for what it tells: sensitivity and shutter.
     void ask();
     [[nodiscard]] QPushButton *button(const QString &key) const { return m_buttons.value(key); }
     [[nodiscard]] QString told(const QString &what) const;
@@ -34,7 +34,6 @@ private:
     QPushButton *addButton(const QString &key, const QString &text, const QString &name, const QString &hint,
                            std::function<void()> action);
     QLabel *addValue(const QString &what);
-    void askIfDue();
     void perform(const QString &key, const QVariantMap &arguments = {});
     void onTold(const Result<ActionOutcome> &outcome);
     void editLens();
@@ -42,8 +41,8 @@ private:
     void updateState();
 
     Workspace &m_workspace;
+    QuietQuestion *m_question;
     QHash<QString, QPushButton *> m_buttons;
     QHash<QString, QLabel *> m_values;
-    bool m_isAskDue = false;
     QString m_board;  // that told them
 };
