@@ -16,6 +16,7 @@
 #include "protocol/session/controlstream.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "tests/support/fakegamepads.h"
+#include "tests/support/named.h"
 #include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
@@ -126,6 +127,7 @@ private slots:
     void guardStandsBy();
     void foundAgainItIsDisarmed();
     void silenceInTheAirIsTold();
+    void lostLinkIsLeftAllTheSame();  // the program ends, and begins again
     void lostLinkIsWarnedOf();  // the cable stays pulled
 
 private:
@@ -947,6 +949,55 @@ void TestFlight::silenceInTheAirIsTold()
     QTRY_VERIFY2_WITH_TIMEOUT(isTold(), qPrintable(good.join(u'|')), kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(!m_rig->workspace().mayStillFly(), kPatience);
     m_rig->client().disconnectFromBoard();
+}
+
+// Once nothing was told to it any more, the guard has sent its stop, which was lost as well. What the
+// operator was warned of is so: the drone goes on.
+void TestFlight::lostLinkIsLeftAllTheSame()
+{
+    m_rig->client().disconnectFromBoard();
+    SimProcess drone({u"--udp"_s, u"0"_s}, u"bcflight"_s);
+    QVERIFY(m_rig->open(drone.address()));
+    const auto calibrated = m_rig->workspace().perform(u"calibrate.all"_s, {});
+    QTRY_VERIFY_WITH_TIMEOUT(calibrated.isFinished(), kPatience);
+    QVERIFY(isSoon(m_rig->client().roles().calibrated, 1));
+    trust();
+    QVERIFY(arm());
+    page().throttle()->setValue(20);
+    QVERIFY(isSoon(m_rig->client().roles().outputs, 1));
+    QVERIFY(page().guardian().isWatching());
+    const auto *guard = page().guardian().findChild<QProcess *>();
+    drone.process().write("replug=-1\nunplug=0\n");
+    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Reconnecting, kPatience);
+    QCOMPARE(page().session().phase(), Phase::Closed);
+    QTRY_VERIFY_WITH_TIMEOUT(!page().guardian().isWatching(), kPatience);
+    QCOMPARE(guard->exitStatus(), QProcess::NormalExit);
+    constexpr int kHasStopped = 3;
+    QCOMPARE(guard->exitCode(), kHasStopped);
+    window().close();
+    QTRY_VERIFY_WITH_TIMEOUT(window().findChild<QMessageBox *>(), kPatience);
+    QVERIFY(window().isVisible());
+    auto *question = window().findChild<QMessageBox *>();
+    QVERIFY2(question->text().contains(u"goes on with its last throttle"_s), qPrintable(question->text()));
+    QTest::mouseClick(named<QPushButton>(question, u"Quit all the same"_s), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!window().isVisible(), kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Disconnected, kPatience);
+    drone.process().write("unplug=86400\n");
+    DeviceClient other(allLinks().transports, allFamilies());
+    other.connectTo(*LinkAddress::parse(drone.address()), u"bcflight"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(other.isConnected(), kPatience);
+    const ChannelRoles roles = other.roles();
+    const auto isTold = [&](double value) {
+        return other.telemetry()->latest(roles.armed) == value
+            && other.telemetry()->latest(roles.outputs) == value;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isTold(1), kPatience);
+    other.motorsOff();
+    QTRY_VERIFY_WITH_TIMEOUT(isTold(0), kPatience);
+    other.shutDown();
+    m_rig->restart();
+    m_rig->workspace().gamepad().setMaker(m_pads.maker());
+    m_page = m_rig->page<FlightPage>();
 }
 
 // Over UDP it does not notice that nobody steers it any more.

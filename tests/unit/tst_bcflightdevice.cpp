@@ -1112,6 +1112,14 @@ void TestBcflightDevice::consoleRefusesWhatSteers()
     // What an answer is worth (errata 6.5).
     const QByteArray record = rig.device.parseCommand(u"VIDEO_START_RECORD"_s).value().bytes;
     QVERIFY(rig.device.describeSent(record).fields.contains(u"no proof"_s));
+    for (const char *name : {"VIDEO_PAUSE", "VIDEO_RESUME", "ENABLE_TUN_DEVICE", "DISABLE_TUN_DEVICE"}) {
+        const auto idle = rig.device.parseCommand(QLatin1String(name));
+        QVERIFY(idle);
+        QCOMPARE(rig.device.describeSent(idle->bytes).fields, u"(no effect today)"_s);
+    }
+    const auto hold = rig.device.parseCommand(u"SET_ALTITUDE_HOLD 1"_s);
+    QVERIFY(hold);
+    QVERIFY(rig.device.describeSent(hold->bytes).fields.contains(u"no effect on flight today"_s));
     const QByteArray code = bigU32(1);
     QVERIFY(rig.device.describeFrame({int(Message::VideoStartRecord), asBytes(code)}, true)
                 .fields.contains(u"no proof"_s));

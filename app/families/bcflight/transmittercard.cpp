@@ -16,8 +16,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include <algorithm>
-
 using namespace Qt::StringLiterals;
 
 TransmitterCard::TransmitterCard(Workspace &workspace, QWidget *parent)
@@ -36,7 +34,7 @@ TransmitterCard::TransmitterCard(Workspace &workspace, QWidget *parent)
 {
     for (const bcflight::TransmitterBand &band : bcflight::kTransmitterBands)
         m_band->addItem(tableText(band.name), QLatin1String(band.name));
-    fillChannels();
+    m_band->setCurrentIndex(-1);  // before anything is known
     m_setChannel->setAccessibleName(tr("Set band and channel"));
     m_setPower->setAccessibleName(tr("Set the power"));
     auto *grid = new QGridLayout;
@@ -81,7 +79,7 @@ void TransmitterCard::addRow(QGridLayout &grid, const QString &name, QComboBox *
 
 void TransmitterCard::fillChannels()
 {
-    const int chosen = std::max(m_channel->currentIndex(), 0);
+    const int chosen = m_channel->currentIndex();
     m_channel->clear();
     const auto &frequencies = bcflight::kTransmitterBands.at(std::size_t(m_band->currentIndex())).mhz;
     for (int i = 0; i < bcflight::kBandChannels; ++i)
