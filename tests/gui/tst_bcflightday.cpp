@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/families/bcflight/benchcards.h"
 #include "app/families/bcflight/benchpage.h"
+#include "app/families/bcflight/camerapage.h"
 #include "app/families/bcflight/recordingspage.h"
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/linkbar.h"
@@ -9,6 +10,7 @@
 #include "app/pages/board/actionspage.h"
 #include "app/pages/board/directioncard.h"
 #include "app/pages/board/flightpage.h"
+#include "app/pages/program/gamepadpage.h"
 #include "app/pages/setup/documentspage.h"
 #include "app/pages/tune/tuningpage.h"
 #include "app/pages/watch/monitorpage.h"
@@ -18,8 +20,12 @@
 #include "protocol/bcflight/luatext.h"
 #include "protocol/configuration/writereport.h"
 #include "protocol/simulator/bcflight/board.h"
+#include "protocol/simulator/video/cameraserver.h"
+#include "protocol/simulator/video/scene.h"
 #include "protocol/telemetry/telemetrystore.h"
+#include "protocol/video/videomodule.h"
 #include "tests/support/boardhost.h"
+#include "tests/support/fakegamepads.h"
 #include "tests/support/filedialog.h"
 #include "tests/support/named.h"
 #include "tests/support/windowrig.h"
@@ -28,8 +34,12 @@
 #include "widgets/views/codeeditor.h"
 #include "widgets/views/controlpad.h"
 #include "widgets/views/motordiagram.h"
+#include "widgets/views/videoview.h"
 
+#include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPlainTextEdit>
@@ -68,6 +78,8 @@ private:
     void tuneAndStore();
     void editTheText();
     void testAMotor();
+    void watchTheVideo();
+    void assignTheGamepad();
     void beginToRecord();
     void checkDirections();
     void flyAndStop();
@@ -78,6 +90,10 @@ private:
     void playTheRecording();
 
     static constexpr int kAttempts = 5;
+    // Of the gamepad: throttle, and behind it roll, pitch and yaw.
+    static constexpr int kThrottleAxis = 0;
+    static constexpr int kArmButton = 4;
+    static constexpr int kDisarmButton = 5;
 
     MainWindow &window() { return m_rig->window(); }
     /// What this says of the drone, asked where it lives.
@@ -126,9 +142,13 @@ private:
     bool perform(const QString &label);
     bool chooseInMenu(QPushButton *button, int entry);
     bool arm();
-    void push(int axis, bool on);
+    /// Pushes the stick of an axis to the right, forward or to the right, as far as it goes, or lets it go.
+    void push(int axis, bool on) { m_pads.move(1 + axis, on ? 1 : 0); }
+    void setThrottle(double percent) { m_pads.move(kThrottleAxis, percent / 50 - 1); }
 
     std::unique_ptr<DatagramBoardHost> m_drone;
+    std::unique_ptr<CameraServer> m_camera;
+    FakeGamepads m_pads;
     std::unique_ptr<WindowRig> m_rig;
     QString m_recording;
 };
@@ -143,12 +163,18 @@ void TestBcflightDay::initTestCase()
     m_drone = std::make_unique<DatagramBoardHost>(
         std::make_unique<SimulatedPort>(std::make_unique<Board>(options), options, std::nullopt));
     QVERIFY(m_drone->start());
+    const auto feed = std::make_shared<CameraFeed>();
+    m_drone->setCameraFeed(feed);
+    m_camera = std::make_unique<CameraServer>(feed);
+    QVERIFY(m_camera->start(0));
     m_rig = std::make_unique<WindowRig>();
+    m_rig->workspace().gamepad().setMaker(m_pads.maker());
 }
 
 void TestBcflightDay::cleanupTestCase()
 {
     m_rig.reset();
+    m_camera.reset();
     m_drone.reset();
 }
 
@@ -158,6 +184,7 @@ void TestBcflightDay::fromConnectingToLeaving()
     for (const Step step :
          {&TestBcflightDay::connectFromTheStartPage, &TestBcflightDay::calibrate, &TestBcflightDay::watch,
           &TestBcflightDay::tuneAndStore, &TestBcflightDay::editTheText, &TestBcflightDay::testAMotor,
+          &TestBcflightDay::watchTheVideo, &TestBcflightDay::assignTheGamepad,
           &TestBcflightDay::beginToRecord, &TestBcflightDay::checkDirections, &TestBcflightDay::flyAndStop,
           &TestBcflightDay::endTheRecording, &TestBcflightDay::uploadFirmware,
           &TestBcflightDay::listRecordings, &TestBcflightDay::leave, &TestBcflightDay::playTheRecording}) {
@@ -393,21 +420,85 @@ void TestBcflightDay::beginToRecord()
     QTRY_VERIFY(m_rig->workspace().recorder().isRecording());
 }
 
-/// Pushes the stick of an axis to the right, forward or to the right, as far as it goes, or lets it go.
-void TestBcflightDay::push(int axis, bool on)
+// The picture is the drone's own, and so is what was recorded of it: each frame bears its number.
+void TestBcflightDay::watchTheVideo()
 {
-    const auto &page = static_cast<FlightPage &>(*window().page(u"flight"_s));
-    QWidget *stick = axis == 2 ? static_cast<QWidget *>(page.yaw()) : page.pad();
-    const QPoint middle = stick->rect().center();
-    const QPoint way = axis == 1 ? QPoint(0, -stick->height() / 3)
-        : axis == 2              ? QPoint(stick->width() / 2 - 1, 0)
-                                 : QPoint(stick->width() / 3, 0);
-    if (!on) {
-        QTest::mouseRelease(stick, Qt::LeftButton, {}, middle + way);
-        return;
+    auto &page = go<CameraPage>();
+    const auto type = [](QLineEdit *field, const QString &text) {
+        click(field);
+        QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClicks(field, text);
+        QTest::keyClick(field, Qt::Key_Return);
+    };
+    type(page.addressField(), u":%1"_s.arg(m_camera->port()));
+    const QString folder = m_rig->filePath(u"videos"_s);
+    type(page.folderField(), folder);
+    const auto shown = [&page] {
+        const auto picture = page.view()->picture();
+        return picture && page.staleText().isEmpty() ? readNumber(*picture) : std::nullopt;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(shown(), kPatience);
+    const std::uint32_t first = *shown();
+    QTRY_VERIFY(shown().value_or(0) > first + 10);
+    click(page.recordButton());
+    QTRY_VERIFY(page.video().recordingState().length > 1s);
+    click(page.recordButton());
+    QTRY_VERIFY(!page.isUnderWay());
+    const QStringList files = QDir(folder).entryList(QDir::Files);
+    QCOMPARE(files.size(), 1);
+    const VideoCodecs &codecs = *loadVideoCodecs().value();
+    const auto reader = codecs.openFile(QDir(folder).filePath(files.first()));
+    QVERIFY(reader);
+    const auto decoder = codecs.makeDecoder((*reader)->track().format);
+    QVERIFY(decoder);
+    std::vector<std::uint32_t> numbers;
+    while (const auto packet = (*reader)->next()) {
+        (*decoder)->decode(asBytes(packet->bytes), packet->isKey);
+        VideoPicture picture;
+        QVERIFY((*decoder)->convert(picture, (*decoder)->size()));
+        const auto number = readNumber(picture);
+        if (number)  // a computer that is too busy to receive loses some
+            numbers.push_back(*number);
     }
-    QTest::mousePress(stick, Qt::LeftButton, {}, middle);
-    QTest::mouseMove(stick, middle + way);
+    QVERIFY(numbers.size() > 10);
+    QVERIFY(numbers.front() > first);
+    QVERIFY(std::ranges::is_sorted(numbers));
+}
+
+// By moving it, as the page asks.
+void TestBcflightDay::assignTheGamepad()
+{
+    m_pads.plug();
+    auto &page = go<GamepadPage>();
+    const auto asks = [&page](const QString &words) {
+        const auto labels = page.findChildren<QLabel *>();
+        return std::ranges::any_of(labels,
+                                   [&](const QLabel *label) { return label->text().contains(words); });
+    };
+    auto *all = named<QPushButton>(&page, u"Assign all sticks"_s);
+    QTRY_VERIFY(all->isEnabled());
+    click(all);
+    for (int axis = kThrottleAxis; axis <= kThrottleAxis + 3; ++axis) {
+        QTRY_VERIFY_WITH_TIMEOUT(asks(u"Push the stick"_s), kPatience);
+        m_pads.move(axis, 1);
+        QTRY_VERIFY_WITH_TIMEOUT(!asks(u"Push the stick"_s), kPatience);
+        m_pads.move(axis, 0);
+    }
+    QTRY_VERIFY(!page.isUnderWay());
+    for (const auto &[name, button] : {std::pair(u"Assign Arm (held for a second)"_s, kArmButton),
+                                       std::pair(u"Assign Disarm"_s, kDisarmButton)}) {
+        click(named<QPushButton>(&page, name));
+        QTRY_VERIFY_WITH_TIMEOUT(asks(u"Press the button"_s), kPatience);
+        m_pads.press(button, true);
+        QTRY_VERIFY_WITH_TIMEOUT(!page.isUnderWay(), kPatience);
+        m_pads.press(button, false);
+    }
+    setThrottle(0);
+    QVERIFY(m_pads.arePolled(5));
+    QCheckBox *choice = go<FlightPage>().padChoice();
+    QTRY_VERIFY(choice->isEnabled());
+    QTest::mouseClick(choice, Qt::LeftButton, {}, {choice->height() / 2, choice->height() / 2});
+    QVERIFY(choice->isChecked());
 }
 
 bool TestBcflightDay::arm()
@@ -417,11 +508,16 @@ bool TestBcflightDay::arm()
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         if (!QTest::qWaitFor([&] { return page.stateText().contains(u"Ready"_s); }, kPatience))
             break;
-        QTest::mousePress(page.armButton(), Qt::LeftButton);
+        m_pads.press(kArmButton, true);
+        bool wasHeld = false;
         std::ignore = QTest::qWaitFor(
-            [&] { return page.session().phase() == Phase::Armed || page.session().phase() == Phase::Open; },
+            [&] {
+                const Phase phase = page.session().phase();
+                wasHeld |= phase == Phase::Holding;
+                return phase == Phase::Armed || (wasHeld && phase == Phase::Open);
+            },
             kPatience);
-        QTest::mouseRelease(page.armButton(), Qt::LeftButton);
+        m_pads.press(kArmButton, false);
         if (page.session().phase() == Phase::Armed)
             return QTest::qWaitFor([this] { return isArmed(); }, kPatience);
     }
@@ -460,8 +556,7 @@ void TestBcflightDay::checkDirections()
     click(page.sessionButton());
     QVERIFY(answerPanel(u"The propellers are off"_s));
     QVERIFY(arm());
-    for (int i = 0; i < 12; ++i)
-        QTest::keyClick(page.throttle(), Qt::Key_PageUp);
+    setThrottle(60);
     for (const int tilted : kTilted) {
         const int before = step();
         QTRY_VERIFY2_WITH_TIMEOUT(
@@ -473,7 +568,7 @@ void TestBcflightDay::checkDirections()
         QTRY_COMPARE(step(), before + 1);
         pose(1);
         QVERIFY(m_rig->boardGoesOn(1.2));
-        QTest::keyClick(page.throttle(), before % 2 ? Qt::Key_Up : Qt::Key_Down);  // somebody is there
+        setThrottle(before % 2 ? 58 : 60);  // somebody is there
     }
     for (int axis = 0; axis < 3; ++axis) {
         QTRY_VERIFY_WITH_TIMEOUT(ready(), kPatience);
@@ -494,6 +589,7 @@ void TestBcflightDay::checkDirections()
     }
     QTRY_VERIFY(!card->isChecking());
     QCOMPARE(card->found().level, CheckedDirections::Level::All);
+    setThrottle(0);
     // It is disarmed with the end of the check.
     QTRY_VERIFY(!isArmed() && mostOutput() == 0);
     // The page knows it from the next status.
@@ -502,7 +598,7 @@ void TestBcflightDay::checkDirections()
     QCOMPARE(page.session().phase(), Phase::Closed);
 }
 
-// The drone goes where the stick is pushed; the red button stops it.
+// The drone goes where the stick of the gamepad is pushed; the red button stops it.
 void TestBcflightDay::flyAndStop()
 {
     auto &page = go<FlightPage>();
@@ -510,8 +606,7 @@ void TestBcflightDay::flyAndStop()
     click(page.sessionButton());
     QVERIFY(answerPanel(u"It is held in a test stand"_s));
     QVERIFY(arm());
-    for (int i = 0; i < 20; ++i)
-        QTest::keyClick(&page, Qt::Key_W);
+    setThrottle(40);
     QTRY_VERIFY(mostOutput() > 0.2);
     const auto roll = [this] { return drone([](Board &board) { return board.quadcopter().attitude().x; }); };
     push(0, true);
@@ -526,6 +621,7 @@ void TestBcflightDay::flyAndStop()
     QVERIFY(stopped.first().first().toBool());
     QTRY_VERIFY(drone([](Board &board) { return std::ranges::max(board.quadcopter().speeds()); }) < 0.01);
     QVERIFY(page.session().phase() <= Phase::Open);
+    setThrottle(0);
     pose(1);
 }
 

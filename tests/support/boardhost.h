@@ -45,6 +45,11 @@ public:
     {
         return at([&] { return m_host->port().change(assignment).has_value(); });
     }
+    /// What its camera sees goes in there from now on.
+    void setCameraFeed(const std::shared_ptr<CameraFeed> &feed)
+    {
+        at([&] { m_host->setCameraFeed(feed); });
+    }
 
 private:
     template <typename Ask> std::invoke_result_t<Ask> at(Ask ask)
