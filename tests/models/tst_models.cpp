@@ -465,6 +465,25 @@ void TestModels::everyProgressHasWords()
     QCOMPARE(describe(reading), u"Reading PARAMS_3"_s);
     reading.profile = 1;
     QCOMPARE(describe(reading), u"Reading PARAMS_3 of profile 2"_s);
+    const auto said = [](const char *step, const QString &subject = {}, int done = 0) {
+        Progress progress;
+        progress.step = QLatin1String(step);
+        progress.subject = subject;
+        progress.done = done;
+        progress.values.insert(u"command"_s, 7);
+        return describe(progress);
+    };
+    QCOMPARE(said("probe"), u"Looking for a board"_s);
+    QCOMPARE(said("probe", u"115200"_s), u"Looking for a board at 115200"_s);
+    QCOMPARE(said("await-restart", u"CONFIG_FILE"_s),
+             u"The configuration text is written; waiting for the drone to restart"_s);
+    QCOMPARE(said("await-restart", u"PARAMS_3"_s),
+             u"PARAMS_3 is written; waiting for the board to restart"_s);
+    QCOMPARE(said("calibrate-magnetometer", {}, 3), u"Turn the camera in all directions: 3 of 8 are seen"_s);
+    QCOMPARE(said("autotune", u"PARAMS_3"_s, 4), u"Auto-tune, iteration 4"_s);
+    QCOMPARE(said("script", u"2"_s), u"Script 2 runs: command 7"_s);
+    QCOMPARE(said("steer", u"PARAMS_3"_s), u"Steering"_s);
+    QCOMPARE(said("of another program"), u"of another program"_s);
 }
 
 QTEST_GUILESS_MAIN(TestModels)

@@ -4,6 +4,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 using namespace Qt::StringLiterals;
 
 namespace {
@@ -28,6 +30,60 @@ QString subjectText(const QString &subject)
     return subject;
 }
 
+struct StepWords
+{
+    const char *step;
+    const char *text;  // %1: what it is done to
+    bool counts = false;  // %1: how often it is done so far
+};
+
+// clang-format off
+constexpr StepWords kStepWords[] = {
+    {"probe", QT_TRANSLATE_NOOP("ErrorText", "Looking for a board at %1")},
+    {"read-block", QT_TRANSLATE_NOOP("ErrorText", "Reading %1")},
+    {"write-block", QT_TRANSLATE_NOOP("ErrorText", "Writing %1")},
+    {"await-restart", QT_TRANSLATE_NOOP("ErrorText", "%1 is written; waiting for the board to restart")},
+    {"verify-block", QT_TRANSLATE_NOOP("ErrorText", "Reading back %1")},
+    {"roll-back", QT_TRANSLATE_NOOP("ErrorText", "Putting back %1")},
+    {"calibrate", QT_TRANSLATE_NOOP("ErrorText", "Calibrating: keep the camera absolutely still")},
+    {"setup-hold", QT_TRANSLATE_NOOP("ErrorText", "Hold the camera level and still")},
+    {"setup-let-go", QT_TRANSLATE_NOOP("ErrorText", "Take your hands off the camera, keep them beneath it, and tip it lightly")},
+    {"setup-tilt-level", QT_TRANSLATE_NOOP("ErrorText", "Hold the camera level and still, until you are asked for something else")},
+    {"setup-tilt-right", QT_TRANSLATE_NOOP("ErrorText", "Tilt the right side of the camera down by about 45° and hold it there")},
+    {"setup-tilt-down", QT_TRANSLATE_NOOP("ErrorText", "Tilt the nose of the camera down by about 45° and hold it there")},
+    {"setup-move", QT_TRANSLATE_NOOP("ErrorText", "Move the camera slowly as far as it may go, each axis both ways")},
+    {"setup-run", QT_TRANSLATE_NOOP("ErrorText", "The motors run: watching whether an axis runs away")},
+    {"setup-measure", QT_TRANSLATE_NOOP("ErrorText", "Measuring")},
+    {"calibrate-motors", QT_TRANSLATE_NOOP("ErrorText", "The board turns the motors and measures them")},
+    {"calibrate-encoders", QT_TRANSLATE_NOOP("ErrorText", "The board reads its encoders: leave the camera as it stands")},
+    {"calibrate-frame", QT_TRANSLATE_NOOP("ErrorText", "Tilt the frame by hand to all sides")},
+    {"calibrate-magnetometer", QT_TRANSLATE_NOOP("ErrorText", "Turn the camera in all directions: %1 of 8 are seen"), true},
+    {"read-memory", QT_TRANSLATE_NOOP("ErrorText", "Reading the board's memory")},
+    {"write-memory", QT_TRANSLATE_NOOP("ErrorText", "Writing the board's memory")},
+    {"read-file", QT_TRANSLATE_NOOP("ErrorText", "Reading a file of the board")},
+    {"write-file", QT_TRANSLATE_NOOP("ErrorText", "Writing a file of the board")},
+    {"search-bus", QT_TRANSLATE_NOOP("ErrorText", "Asking each address of the bus")},
+    {"feed", QT_TRANSLATE_NOOP("ErrorText", "Sending the rows of the file, each at its time")},
+    {"calibrate-drone", QT_TRANSLATE_NOOP("ErrorText", "Calibrating: leave the drone alone")},
+    {"motor-test", QT_TRANSLATE_NOOP("ErrorText", "The motor is tested; the drone hears nothing meanwhile")},
+    {"escs-off", QT_TRANSLATE_NOOP("ErrorText", "Motor controllers: no signal; the drone hears nothing for 26 s")},
+    {"escs-full", QT_TRANSLATE_NOOP("ErrorText", "Motor controllers: FULL THROTTLE; the drone hears nothing")},
+    {"escs-zero", QT_TRANSLATE_NOOP("ErrorText", "Motor controllers: zero; the drone hears nothing")},
+    {"firmware-upload", QT_TRANSLATE_NOOP("ErrorText", "Uploading the firmware")},
+    {"firmware-restart", QT_TRANSLATE_NOOP("ErrorText", "The firmware is on the drone; waiting for its restart. Do not switch it off")},
+    {"place-sensor", QT_TRANSLATE_NOOP("ErrorText", "Lay the sensor still on one of its faces")},
+    {"level-camera", QT_TRANSLATE_NOOP("ErrorText", "Hold the camera level and still")},
+    {"tilt-camera", QT_TRANSLATE_NOOP("ErrorText", "Tilt the camera about 45° down, without rolling it")},
+    {"wait-battery", QT_TRANSLATE_NOOP("ErrorText", "Connect the battery")},
+    {"wait-start", QT_TRANSLATE_NOOP("ErrorText", "The board starts; keep the camera still")},
+    {"autotune", QT_TRANSLATE_NOOP("ErrorText", "Auto-tune, iteration %1"), true},
+    {"motion-test", QT_TRANSLATE_NOOP("ErrorText", "Measuring how the axis follows")},
+    {"measure-before", QT_TRANSLATE_NOOP("ErrorText", "Measuring without the notch")},
+    {"measure-after", QT_TRANSLATE_NOOP("ErrorText", "Measuring with the notch")},
+    {"steer", QT_TRANSLATE_NOOP("ErrorText", "Steering")},
+};
+// clang-format on
+
 }  // namespace
 
 QString describe(const Progress &progress)
@@ -36,98 +92,20 @@ QString describe(const Progress &progress)
     const QString subject = progress.profile < 0
         ? part
         : ProgressWords::tr("%1 of profile %2").arg(part).arg(progress.profile + 1);
-    if (progress.step == u"probe"_s) {
-        return subject.isEmpty() ? ProgressWords::tr("Looking for a board")
-                                 : ProgressWords::tr("Looking for a board at %1").arg(subject);
-    }
-    if (progress.step == u"read-block"_s)
-        return ProgressWords::tr("Reading %1").arg(subject);
-    if (progress.step == u"write-block"_s)
-        return ProgressWords::tr("Writing %1").arg(subject);
+    if (progress.step == u"probe"_s && subject.isEmpty())
+        return ProgressWords::tr("Looking for a board");
     if (progress.step == u"await-restart"_s && progress.subject == kTextBlock)
         return ProgressWords::tr("The configuration text is written; waiting for the drone to restart");
-    if (progress.step == u"await-restart"_s)
-        return ProgressWords::tr("%1 is written; waiting for the board to restart").arg(subject);
-    if (progress.step == u"verify-block"_s)
-        return ProgressWords::tr("Reading back %1").arg(subject);
-    if (progress.step == u"roll-back"_s)
-        return ProgressWords::tr("Putting back %1").arg(subject);
-    if (progress.step == u"calibrate"_s)
-        return ProgressWords::tr("Calibrating: keep the camera absolutely still");
-    if (progress.step == u"setup-hold"_s)
-        return ProgressWords::tr("Hold the camera level and still");
-    if (progress.step == u"setup-let-go"_s)
-        return ProgressWords::tr("Take your hands off the camera, keep them beneath it, and tip it lightly");
-    if (progress.step == u"setup-tilt-level"_s)
-        return ProgressWords::tr("Hold the camera level and still, until you are asked for something else");
-    if (progress.step == u"setup-tilt-right"_s)
-        return ProgressWords::tr("Tilt the right side of the camera down by about 45° and hold it there");
-    if (progress.step == u"setup-tilt-down"_s)
-        return ProgressWords::tr("Tilt the nose of the camera down by about 45° and hold it there");
-    if (progress.step == u"setup-move"_s)
-        return ProgressWords::tr("Move the camera slowly as far as it may go, each axis both ways");
-    if (progress.step == u"setup-run"_s)
-        return ProgressWords::tr("The motors run: watching whether an axis runs away");
-    if (progress.step == u"setup-measure"_s)
-        return ProgressWords::tr("Measuring");
-    if (progress.step == u"calibrate-motors"_s)
-        return ProgressWords::tr("The board turns the motors and measures them");
-    if (progress.step == u"calibrate-encoders"_s)
-        return ProgressWords::tr("The board reads its encoders: leave the camera as it stands");
-    if (progress.step == u"calibrate-frame"_s)
-        return ProgressWords::tr("Tilt the frame by hand to all sides");
-    if (progress.step == u"calibrate-magnetometer"_s)
-        return ProgressWords::tr("Turn the camera in all directions: %1 of 8 are seen").arg(progress.done);
-    if (progress.step == u"read-memory"_s)
-        return ProgressWords::tr("Reading the board's memory");
-    if (progress.step == u"write-memory"_s)
-        return ProgressWords::tr("Writing the board's memory");
-    if (progress.step == u"read-file"_s)
-        return ProgressWords::tr("Reading a file of the board");
-    if (progress.step == u"write-file"_s)
-        return ProgressWords::tr("Writing a file of the board");
     if (progress.step == u"script"_s)
         return ProgressWords::tr("Script %1 runs: command %2")
             .arg(subject)
             .arg(int(progress.values.value(u"command"_s)));
-    if (progress.step == u"search-bus"_s)
-        return ProgressWords::tr("Asking each address of the bus");
-    if (progress.step == u"feed"_s)
-        return ProgressWords::tr("Sending the rows of the file, each at its time");
-    if (progress.step == u"calibrate-drone"_s)
-        return ProgressWords::tr("Calibrating: leave the drone alone");
-    if (progress.step == u"motor-test"_s)
-        return ProgressWords::tr("The motor is tested; the drone hears nothing meanwhile");
-    if (progress.step == u"escs-off"_s)
-        return ProgressWords::tr("Motor controllers: no signal; the drone hears nothing for 26 s");
-    if (progress.step == u"escs-full"_s)
-        return ProgressWords::tr("Motor controllers: FULL THROTTLE; the drone hears nothing");
-    if (progress.step == u"escs-zero"_s)
-        return ProgressWords::tr("Motor controllers: zero; the drone hears nothing");
-    if (progress.step == u"firmware-upload"_s)
-        return ProgressWords::tr("Uploading the firmware");
-    if (progress.step == u"firmware-restart"_s)
-        return ProgressWords::tr(
-            "The firmware is on the drone; waiting for its restart. Do not switch it off");
-    if (progress.step == u"place-sensor"_s)
-        return ProgressWords::tr("Lay the sensor still on one of its faces");
-    if (progress.step == u"level-camera"_s)
-        return ProgressWords::tr("Hold the camera level and still");
-    if (progress.step == u"tilt-camera"_s)
-        return ProgressWords::tr("Tilt the camera about 45° down, without rolling it");
-    if (progress.step == u"wait-battery"_s)
-        return ProgressWords::tr("Connect the battery");
-    if (progress.step == u"wait-start"_s)
-        return ProgressWords::tr("The board starts; keep the camera still");
-    if (progress.step == u"autotune"_s)
-        return ProgressWords::tr("Auto-tune, iteration %1").arg(progress.done);
-    if (progress.step == u"motion-test"_s)
-        return ProgressWords::tr("Measuring how the axis follows");
-    if (progress.step == u"measure-before"_s)
-        return ProgressWords::tr("Measuring without the notch");
-    if (progress.step == u"measure-after"_s)
-        return ProgressWords::tr("Measuring with the notch");
-    if (progress.step == u"steer"_s)
-        return ProgressWords::tr("Steering");
-    return progress.step;
+    const auto words = std::ranges::find_if(
+        kStepWords, [&](const StepWords &each) { return progress.step == QLatin1String(each.step); });
+    if (words == std::end(kStepWords))
+        return progress.step;
+    const QString text = ProgressWords::tr(words->text);
+    if (words->counts)
+        return text.arg(progress.done);
+    return text.contains(u"%1"_s) ? text.arg(subject) : text;
 }
