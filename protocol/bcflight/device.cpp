@@ -260,18 +260,6 @@ Result<bool> Device::askArmed(Channel &channel)
     return status ? Result<bool>(status->armed) : failure(ErrorCode::BadReply, u"STATUS"_s);
 }
 
-Result<void> Device::checkDisarmed(Channel &channel) const
-{
-    const auto now = status(channel);
-    if (!now)
-        return tl::unexpected(now.error());
-    if (now->armed)
-        return failure(ErrorCode::ConditionUnmet, u"the drone is armed"_s);
-    if (now->calibrating)
-        return failure(ErrorCode::ConditionUnmet, u"the drone is calibrating"_s);
-    return {};
-}
-
 Result<Configuration> Device::readConfiguration(Channel &channel)
 {
     Configuration configuration(m_identity, m_parameters);

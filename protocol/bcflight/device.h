@@ -36,7 +36,7 @@ public:
     Result<Configuration> readConfiguration(Channel &channel) override;
     Result<QByteArray> readBlock(Channel &channel, BlockKey key) override;
     /// Gains: only those that differ, each proven by its echo. The text: the drone restarts. Errors:
-    /// ConditionUnmet (it is armed or calibrating), Unsupported (the link cannot carry it whole).
+    /// ConditionUnmet (it is armed or calibrating), ReadOnly, Unsupported (the link cannot carry it whole).
     Result<void> writeBlock(Channel &channel, BlockKey key, const QByteArray &bytes) override;
     [[nodiscard]] std::span<const ActionSpec> actions() const override;
     Result<ActionReply> perform(Channel &channel, const QString &key, const QVariantMap &arguments) override;
@@ -112,7 +112,7 @@ private:
     /// STATUS or TELEMETRY, by what brings it in this generation.
     [[nodiscard]] Request askState(Message id) const;
     Result<Status> status(Channel &channel) const;
-    /// Errors: ConditionUnmet, those of the channel.
+    /// Errors: ReadOnly (its generation), ConditionUnmet, those of the channel.
     Result<void> checkDisarmed(Channel &channel) const;
     /// The same; one that is just being disarmed gets the time for it, and one in a test stand may stay
     /// armed. True if it is armed.

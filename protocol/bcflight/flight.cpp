@@ -151,6 +151,21 @@ Result<void> Device::checkMayTake(Channel &channel, const RawCommand &command)
                 : failure(ErrorCode::InvalidArgument, u"there is no message '%1'"_s.arg(command.name));
 }
 
+// Whoever asks, and whatever a page has overlooked: an older one takes a packet for something else.
+Result<void> Device::checkDisarmed(Channel &channel) const
+{
+    if (!m_identity.writable)
+        return failure(ErrorCode::ReadOnly, m_identity.firmware);
+    const auto now = status(channel);
+    if (!now)
+        return tl::unexpected(now.error());
+    if (now->armed)
+        return failure(ErrorCode::ConditionUnmet, u"the drone is armed"_s);
+    if (now->calibrating)
+        return failure(ErrorCode::ConditionUnmet, u"the drone is calibrating"_s);
+    return {};
+}
+
 Result<bool> Device::checkTunable(Channel &channel) const
 {
     const TimePoint until = channel.now() + kDisarms;

@@ -3,6 +3,7 @@
 // What the errata forbid a ground (9.2), seen in the packets that leave for a drone.
 #include "protocol/bcflight/luacheck.h"
 #include "protocol/procedure/safeaction.h"
+#include "protocol/procedure/writeconfiguration.h"
 #include "protocol/record/boardhistory.h"
 #include "protocol/session/channelproxy.h"
 #include "protocol/session/stopplan.h"
@@ -119,8 +120,10 @@ private slots:
     void typedWordsAreRefusedInTheAir();
     void nothingForTheGroundIsSentInTheAir();
     void typedWordsAreThoseOfItsGeneration();
+    void whatSteersIsNeverTyped();
     void actionsWaitForTheFirstWord();
     void benchIsRefusedWhileItCalibrates();
+    void motorsAreCountedByTheirOutputs();
     void stopSaysBothAndIsRepeated();
     void stopIsNotBelievedByItself();
     void brokenLinkProvesNoStop();
@@ -204,6 +207,34 @@ void TestBcflightSafety::olderOnesAreToldNothing()
         QVERIFY2(!done && done.error().code == ErrorCode::ReadOnly, qPrintable(text));
     }
     QVERIFY(rig.hasSentNothing());
+    // Nor by whoever writes, sets or puts back values.
+    const auto base = rig.device.readConfiguration(rig.channel);
+    QVERIFY(base);
+    Configuration edited = *base;
+    edited.setBlock({0, ConfigurationText}, rig.drone().configuration() + "-- more\n");
+    rig.sent.clear();
+    const BoardHistory history(rig.dir.path());
+    WriteOptions options;
+    options.history = &history;
+    const auto report = writeConfiguration(rig.channel, rig.device, *base, edited, options);
+    QVERIFY(!report);
+    QCOMPARE(report.error().code, ErrorCode::ReadOnly);
+    QVERIFY(rig.hasSentNothing());
+    const auto gains = base->block({0, Gains});
+    const float half = rig.drone().gains()[0][0] / 2;
+    const Result<void> attempts[]{
+        rig.device.writeBlock(rig.channel, {0, ConfigurationText}, edited.block({0, ConfigurationText})),
+        rig.device.writeBlock(rig.channel, {0, Gains}, bigF32(half) + gains.mid(4)),
+        rig.device.writeAdjustables(rig.channel, {{0, double(half)}}),
+        rig.device.restoreAdjustables(rig.channel, {{0, double(half)}})};
+    for (const Result<void> &attempt : attempts) {
+        QVERIFY(!attempt);
+        QCOMPARE(attempt.error().code, ErrorCode::ReadOnly);
+    }
+    for (const QByteArray &packet : rig.sent) {
+        for (const auto &id : messagesIn(packet, Generation(generation)))
+            QVERIFY2(id && (*id < Message::SetRollP || *id > Message::SetHorizonOffset), packet.toHex());
+    }
 }
 
 void TestBcflightSafety::onlyWhatItsGenerationKnowsIsSent_data()
@@ -338,6 +369,28 @@ void TestBcflightSafety::typedWordsAreThoseOfItsGeneration()
     QVERIFY(now.device.parseCommand(u"VTX_GET_SETTINGS"_s));
 }
 
+// Errata 9.2, 7 and 9: not by its name either, in whatever generation.
+void TestBcflightSafety::whatSteersIsNeverTyped()
+{
+    for (const Generation generation : {Generation::A, Generation::C, Generation::E, Generation::G}) {
+        Rig rig{generation};
+        QVERIFY(rig.identify());
+        const QStringList names = rig.device.commandNames();
+        QVERIFY(names.contains(u"RESET_MOTORS"_s));
+        for (const Message id :
+             {Message::Unknown, Message::Controls, Message::SetRoll, Message::SetPitch, Message::SetYaw,
+              Message::SetThrust, Message::SetConfigFile, Message::UploadInit, Message::UploadData,
+              Message::UploadProcess, Message::MotorTest, Message::CalibrateEscs, Message::Ack}) {
+            const MessageSpec *spec = findMessage(id);
+            const QString text = QLatin1String(spec->name);
+            QVERIFY2(!names.contains(text), spec->name);
+            // With as many numbers as it takes.
+            const auto fields = spec->fromGround ? spec->fromGround->size() : 0;
+            QVERIFY2(!rig.device.parseCommand(text + u" 0"_s.repeated(qsizetype(fields))), spec->name);
+        }
+    }
+}
+
 // Telemetry of a board that has just been connected: its first word comes after a while.
 struct LateTelemetry final : LatestValues
 {
@@ -389,6 +442,26 @@ void TestBcflightSafety::benchIsRefusedWhileItCalibrates()
         QVERIFY2(!rig.hasSent(start), start);
 }
 
+// Errata 7.7: as many as MOTORS_SPEED tells, and not as most drones have.
+void TestBcflightSafety::motorsAreCountedByTheirOutputs()
+{
+    Rig rig;
+    QVERIFY(rig.calibrate());
+    const QByteArray outputs = encode(Message::MotorsSpeed, bigU32(4));
+    rig.watched().onSend = [&outputs](QByteArray &packet) {
+        if (const qsizetype at = packet.indexOf(outputs); at >= 0)
+            packet.replace(at, outputs.size() + 16,
+                           encode(Message::MotorsSpeed, bigU32(3)) + QByteArray(12, '\0'));
+        return true;
+    };
+    const auto fourth = rig.perform("motor.test", {{u"motor"_s, 4}});
+    QVERIFY(!fourth);
+    QCOMPARE(fourth.error().code, ErrorCode::InvalidArgument);
+    QVERIFY(!rig.hasSent("00e0"));
+    QVERIFY(rig.perform("motor.test", {{u"motor"_s, 3}}));
+    QVERIFY(rig.hasSent("00e000000002"));
+}
+
 // Errata 9.2, 2: disarmed controls and RESET_MOTORS, over and over until it says so.
 void TestBcflightSafety::stopSaysBothAndIsRepeated()
 {
@@ -427,6 +500,11 @@ void TestBcflightSafety::stopIsNotBelievedByItself()
     QVERIFY(rig.port.change(u"runs-on=0"_s));
     QVERIFY(rig.perform("motors.off"));
     QVERIFY(!rig.drone().isArmed());
+    // Its motors stand, and it is armed all the same.
+    rig.tell(Status::kArmed | Status::kCalibrated);
+    const auto armed = rig.perform("motors.off");
+    QVERIFY(!armed);
+    QCOMPARE(armed.error().code, ErrorCode::NotProven);
     rig.loses = [](const QByteArray &) { return true; };
     const auto silent = rig.perform("motors.off");
     QVERIFY(!silent);
