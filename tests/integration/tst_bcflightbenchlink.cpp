@@ -20,6 +20,7 @@
 #include <QTest>
 #include <QThread>
 #include <QTimer>
+#include <QTimer>
 
 #include <csignal>
 
@@ -88,6 +89,19 @@ struct Bench
             host, [&] { answer = ask(*watched); }, Qt::BlockingQueuedConnection);
         return answer;
     }
+    /// Calibrated, then armed and steered until this goes.
+    std::unique_ptr<QTimer> fly()
+    {
+        if (!connect() || !done(perform(u"calibrate.all"_s)))
+            return {};
+        auto hand = std::make_unique<QTimer>();
+        SteeringSetpoint wanted{1, {0.3, 0, 0, 0}, {1}};
+        wanted.begun = Clock::now();
+        QObject::connect(hand.get(), &QTimer::timeout, [this, wanted] { client.setControl(wanted); });
+        hand->start(20ms);
+        const auto turns = [](WatchedDrone &drone) { return drone.drone().outputs()[0] > 0; };
+        return QTest::qWaitFor([&] { return with(turns); }, kPatience) ? std::move(hand) : nullptr;
+    }
 
     QThread thread;
     UdpHost *host = nullptr;
@@ -109,6 +123,8 @@ private slots:
     void firmwareNeedsABatteryThatLasts();
     void interruptedTestSaysThatItIsDeaf();
     void silenceInTheAirIsNoDisarming();
+    void whoeverQuitsStopsItFirst();
+    void endThatIsNotProvenStopsTheMotors();
 
 private:
     QTemporaryDir m_dir;
@@ -294,6 +310,53 @@ void TestBcflightBenchLink::silenceInTheAirIsNoDisarming()
     };
     QTRY_VERIFY_WITH_TIMEOUT(tells(bcflight::Armed) && tells(bcflight::Outputs), kPatience);
     QVERIFY(!bench.client.areOutputsUnknown());
+}
+
+// Errata 9.2, 2: the program goes only when it has told the drone so for half a second.
+void TestBcflightBenchLink::whoeverQuitsStopsItFirst()
+{
+    Bench bench;
+    const auto hand = bench.fly();
+    QVERIFY(hand);
+    bench.client.shutDown();
+    QVERIFY(!bench.with([](WatchedDrone &watched) { return watched.drone().isArmed(); }));
+    QCOMPARE(bench.with([](WatchedDrone &watched) { return watched.drone().outputs()[0]; }), 0.0);
+    // Each stop is both, in one packet.
+    const auto handled = bench.with([](WatchedDrone &watched) { return watched.drone().handled(); });
+    QList<double> stops;
+    for (std::size_t i = 1; i < handled.size(); ++i) {
+        if (handled[i].id == Message::ResetMotors && handled[i - 1].id == Message::Controls)
+            stops.append(handled[i].at);
+    }
+    QVERIFY2(stops.size() >= 15, qPrintable(QString::number(stops.size())));
+    QVERIFY2(stops.last() - stops.first() > 0.45, qPrintable(QString::number(stops.last() - stops.first())));
+}
+
+// Its releases are over after a moment: a drone that has not obeyed by then goes on being told.
+void TestBcflightBenchLink::endThatIsNotProvenStopsTheMotors()
+{
+    Bench bench;
+    auto hand = bench.fly();
+    QVERIFY(hand);
+    const auto disobey = [&](bool on) {
+        return bench.with([&](WatchedDrone &) {
+            return bench.host->port().change(on ? u"runs-on=1"_s : u"runs-on=0"_s).has_value();
+        });
+    };
+    QVERIFY(disobey(true));
+    QSignalSpy ended(&bench.client, &DeviceClient::steeringEnded);
+    QSignalSpy stopped(&bench.client, &DeviceClient::motorsOffFinished);
+    hand.reset();
+    bench.client.releaseControl();
+    QTRY_COMPARE(ended.count(), 1);
+    QVERIFY(!ended.first().first().toBool());
+    QTRY_COMPARE(stopped.count(), 1);
+    QVERIFY(!stopped.first().first().toBool());
+    QVERIFY(bench.client.isStopUnproven());
+    QVERIFY(disobey(false));
+    QTRY_COMPARE(stopped.count(), 2);
+    QVERIFY(stopped.last().first().toBool());
+    QVERIFY(!bench.with([](WatchedDrone &watched) { return watched.drone().isArmed(); }));
 }
 
 QTEST_GUILESS_MAIN(TestBcflightBenchLink)

@@ -125,6 +125,7 @@ private slots:
     void setpointsAreWhatTheErrataSay();
     void deadManDisarmsAndStops();
     void endIsSentAtFullRate();
+    void endIsSentInFullThoughItStands();
     void endedIsNotResumed();
     void stopEndsWhatHadBegun();
     void nothingSteersWhereItIsDangerous_data();
@@ -392,6 +393,33 @@ void TestArming::endIsSentAtFullRate()
     }
     QVERIFY2(stops >= 98, qPrintable(QString::number(stops)));
     QCOMPARE(stream.takeOutcome(), std::optional(false));
+}
+
+// Errata 9.2, 2: half a second, however soon it says that it stands.
+void TestArming::endIsSentInFullThoughItStands()
+{
+    Flown flown;
+    QVERIFY(flown.device.identify(flown.channel));
+    ControlStream stream(20ms);
+    TelemetryStore told(int(bcflight::channels().size()));
+    const auto group = told.defineGroup({bcflight::Armed, bcflight::Outputs}, 0);
+    TimePoint now = kStart;
+    const ControlFrames frames = flown.frames(0.3, true);
+    stream.refresh(frames, now);
+    QVERIFY(stream.advance(now));
+    stream.end(now);
+    int stops = 0;
+    for (; now < kStart + 480ms; now += 20ms) {
+        const auto frame = stream.advance(now, &told);
+        stops += frame == frames.stop ? 1 : 0;
+        told.append(*group, now + 10ms, std::array{0.F, 0.F});
+    }
+    QCOMPARE(stops, 24);
+    QVERIFY(stream.isSteering());
+    for (; now < kStart + 600ms; now += 20ms)
+        std::ignore = stream.advance(now, &told);
+    QCOMPARE(stream.takeOutcome(), std::optional(true));
+    QVERIFY(!stream.isSteering());
 }
 
 void TestArming::endedIsNotResumed()

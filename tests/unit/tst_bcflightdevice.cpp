@@ -106,6 +106,7 @@ private slots:
     void calibrationIsFollowed();
     void calibrationIsNotLostWithAPacket();
     void textIsNotSentAgainToAnArmedDrone();
+    void calibrationIsNotBegunAgainWhileArmed();
     void repeatedIsNotTaken();
     void transmitterThatKeepsItsSettingIsTold();
     void disarmedIsNotStandingBeforeOutputsCouldTell();
@@ -692,6 +693,27 @@ void TestBcflightDevice::textIsNotSentAgainToAnArmedDrone()
     const auto written = rig.device.writeBlock(channel, {0, ConfigurationText}, before + "\n-- changed\n");
     QVERIFY(!written);
     QCOMPARE(written.error().code, ErrorCode::ConditionUnmet);
+    QCOMPARE(sent, 1);
+    QVERIFY(rig.board().isArmed());
+}
+
+// The same with a calibration: what is not answered may have been lost, and is not told to a drone that
+// flies.
+void TestBcflightDevice::calibrationIsNotBegunAgainWhileArmed()
+{
+    Rig rig;
+    QVERIFY(rig.calibrate());
+    int sent = 0;
+    Altering channel(rig.channel, [&](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+        if (request.kind != int(Message::Calibrate))
+            return pass(request);
+        ++sent;
+        rig.fly({.thrust = 0, .arm = true});
+        return failure(ErrorCode::Timeout, request.name);
+    });
+    const auto done = rig.device.perform(channel, u"calibrate.gyro"_s, {});
+    QVERIFY(!done);
+    QCOMPARE(done.error().code, ErrorCode::ConditionUnmet);
     QCOMPARE(sent, 1);
     QVERIFY(rig.board().isArmed());
 }
