@@ -114,6 +114,10 @@ void TestBcflightWindow::gainsAreSetAndTold()
 
 void TestBcflightWindow::liveDataCome()
 {
+    // It says what that means for what flies.
+    const QPushButton *motors = window().findChild<LinkBar *>()->motorsButton();
+    QTRY_VERIFY2(motors->isEnabled() && motors->toolTip().contains(u"in flight as well: it falls"_s),
+                 qPrintable(motors->toolTip()));
     QVERIFY(m_rig->page<DashboardPage>());
     QVERIFY(m_rig->boardGoesOn(1));
     QTRY_VERIFY(m_rig->workspace().latest(bcflight::BatteryVolts) > 10);
@@ -395,6 +399,13 @@ void TestBcflightWindow::anotherGroundIsTold()
         QVERIFY(m_rig->boardGoesOn(5));
     }
     QVERIFY2(told.join(u' ').contains(u"Another ground station"_s), qPrintable(told.join(u' ')));
+    // Nothing is armed beside it.
+    const auto calibrated = m_rig->workspace().perform(u"calibrate.all"_s, {});
+    QTRY_VERIFY_WITH_TIMEOUT(calibrated.isFinished(), kPatience);
+    auto *flight = m_rig->page<FlightPage>();
+    flight->open(true);
+    QTRY_VERIFY2_WITH_TIMEOUT(flight->stateText().contains(u"another ground station"_s),
+                              qPrintable(flight->stateText()), kPatience);
 }
 
 // Errata 9.2, 8: "disarmed" does not mean that its motors stand.

@@ -34,6 +34,7 @@
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QTcpSocket>
 #include <QThread>
 #include <QTimer>
 
@@ -111,6 +112,7 @@ private slots:
     void directionsAreCheckedThenItFlies();
     void sessionIsOpenedByTheOperatorsWord();
     void pressIsRefusedMeanwhile();
+    void whatItTellsKeepsItDisarmed();
     void everythingEndsIt_data();
     void everythingEndsIt();
     void sticksReachTheDrone();
@@ -122,6 +124,7 @@ private slots:
     void stepIsMeasuredInAStand();
     void closingIsRefusedWhileArmed();
     void closingWaitsUntilItIsSeenToStand();
+    void disarmedIsNotStanding();
     void whoeverLeavesTheLinkDisarms_data();
     void whoeverLeavesTheLinkDisarms();
     void guardStandsBy();
@@ -161,6 +164,10 @@ private:
     }
     bool calibrate();
     bool arm(bool held = true);
+    /// A press of the key does nothing, and that is why.
+    bool isRefused(const QString &why);
+    /// Another ground posts it: nobody here waits for anything.
+    void post(const QByteArray &packet);
     void pose(int number) { m_rig->workspace().changeWorld(u"pose=%1"_s.arg(number)); }
 
     std::unique_ptr<WindowRig> m_rig;
@@ -418,22 +425,39 @@ void TestFlight::sessionIsOpenedByTheOperatorsWord()
     QVERIFY(isSoon(m_rig->client().roles().armed, 0));
 }
 
+bool TestFlight::isRefused(const QString &why)
+{
+    QTest::mousePress(page().armButton(), Qt::LeftButton);
+    const bool isOpen = page().session().phase() == Phase::Open;
+    QTest::mouseRelease(page().armButton(), Qt::LeftButton);
+    return isOpen && page().stateText().contains(why);
+}
+
+void TestFlight::post(const QByteArray &packet)
+{
+    m_rig->client().submit<void>([packet](Channel &channel, Device &) -> Result<void> {
+        Request order;
+        order.bytes = packet;
+        channel.post(order);
+        return {};
+    });
+}
+
 void TestFlight::pressIsRefusedMeanwhile()
 {
     page().open(true);
     QTRY_VERIFY_WITH_TIMEOUT(page().stateText().contains(u"Ready"_s), kPatience);
-    const auto refused = [this](const QString &why) {
-        QTest::mousePress(page().armButton(), Qt::LeftButton);
-        const bool isOpen = page().session().phase() == Phase::Open;
-        QTest::mouseRelease(page().armButton(), Qt::LeftButton);
-        return isOpen && page().stateText().contains(why);
-    };
     pose(1);
     const auto done = m_rig->workspace().perform(u"calibrate.gyro"_s, {});
-    QVERIFY2(refused(u"at work"_s), qPrintable(page().stateText()));
+    QVERIFY2(isRefused(u"at work"_s), qPrintable(page().stateText()));
     QTRY_VERIFY_WITH_TIMEOUT(done.isFinished(), kPatience);
     QVERIFY(isSoon(m_rig->client().roles().calibrated, 1));
     pose(0);
+    m_rig->edit(u"pid.roll.p"_s, 0, double(float(m_rig->raw(u"pid.roll.p"_s) * 1.1)));
+    m_rig->workspace().write(std::as_const(m_rig->model()).edited());
+    QVERIFY(m_rig->workspace().isWriting());
+    QVERIFY2(isRefused(u"at work"_s), qPrintable(page().stateText()));
+    QTRY_VERIFY_WITH_TIMEOUT(!m_rig->workspace().isWriting() && m_rig->jobsAreDone(), kPatience);
     // A stop that nothing has proven yet.
     QVERIFY(arm());
     m_rig->workspace().changeWorld(u"runs-on=1"_s);
@@ -442,10 +466,28 @@ void TestFlight::pressIsRefusedMeanwhile()
     m_rig->workspace().setMotors(false);
     QTRY_VERIFY_WITH_TIMEOUT(stopped.count() > 0, kPatience);
     QVERIFY(!stopped.first().first().toBool());
-    QVERIFY2(refused(u"being stopped"_s), qPrintable(page().stateText()));
+    QVERIFY2(isRefused(u"being stopped"_s), qPrintable(page().stateText()));
     m_rig->workspace().changeWorld(u"runs-on=0"_s);
     QVERIFY(isSoon(m_rig->client().roles().armed, 0));
     QTRY_VERIFY_WITH_TIMEOUT(!m_rig->client().isStopUnproven(), kPatience);
+}
+
+// Whatever is done here: somebody else may be at it, and a drone that was just switched on knows nothing.
+void TestFlight::whatItTellsKeepsItDisarmed()
+{
+    page().open(true);
+    QTRY_VERIFY_WITH_TIMEOUT(page().stateText().contains(u"Ready"_s), kPatience);
+    pose(1);
+    post(encode(bcflight::Message::Calibrate, bcflight::bigU32(0) + bcflight::bigF32(0)));
+    QVERIFY(isSoon(m_rig->client().roles().calibrating, 1));
+    QVERIFY2(isRefused(u"it is calibrating"_s), qPrintable(page().stateText()));
+    QVERIFY(isSoon(m_rig->client().roles().calibrated, 1));
+    QVERIFY(m_rig->open(u"sim:bcflight?stand=1&seed=42"_s));
+    trust();
+    page().open(true);
+    QVERIFY(isSoon(m_rig->client().roles().calibrated, 0));
+    QVERIFY2(isRefused(u"it is not calibrated"_s), qPrintable(page().stateText()));
+    m_rig->client().disconnectFromBoard();
 }
 
 void TestFlight::everythingEndsIt_data()
@@ -457,6 +499,8 @@ void TestFlight::everythingEndsIt_data()
     row("disarm", ArmingBar::Operator, [](TestFlight &test) { test.page().disarmButton()->click(); });
     row("space", ArmingBar::Operator,
         [](TestFlight &test) { QTest::keyClick(test.page().throttle(), Qt::Key_Space); });
+    row("escape", ArmingBar::Operator,
+        [](TestFlight &test) { QTest::keyClick(test.page().throttle(), Qt::Key_Escape); });
     row("another page", ArmingBar::Hidden, [](TestFlight &test) { test.window().showPage(u"dashboard"_s); });
     row("another window", ArmingBar::Focus, [](TestFlight &test) {
         QEvent away(QEvent::WindowDeactivate);
@@ -684,13 +728,29 @@ void TestFlight::gamepadSteersAndItsLossDisarms()
     // Nor does it arm behind a list or a question.
     window().showPalette();
     QTRY_VERIFY(window().commandPalette()->isVisible());
-    m_pads.press(0, true);
-    QVERIFY(m_rig->boardGoesOn(1.5));
-    m_pads.press(0, false);
-    QVERIFY(!isArmed());
+    ControlsTap tap(m_rig->client());
+    const auto armsNothing = [&] {
+        m_pads.press(0, true);
+        const bool isTime = m_rig->boardGoesOn(1.5);
+        m_pads.press(0, false);
+        const auto sent = tap.take();
+        const auto arms = [](const bcflight::Controls &controls) { return controls.arm; };
+        return isTime && std::none_of(sent.begin(), sent.end(), arms);
+    };
+    QVERIFY(armsNothing());
     QCOMPARE(page().session().phase(), Phase::Open);
     QTest::keyClick(window().commandPalette()->input(), Qt::Key_Escape);
     QTRY_VERIFY(!window().commandPalette() || !window().commandPalette()->isVisible());
+    // Nor while another window is in front, which a gamepad does not care for.
+    QWidget other;
+    other.show();
+    other.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&other));
+    QVERIFY(armsNothing());
+    QTRY_COMPARE_WITH_TIMEOUT(page().session().phase(), Phase::Open, kPatience);
+    other.close();
+    window().activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&window()));
     const auto armByPad = [&] {
         m_pads.press(0, true);
         const bool armed
@@ -725,7 +785,7 @@ void TestFlight::gamepadSteersAndItsLossDisarms()
     QVERIFY(!isArmed());
     QVERIFY(page().session().phase() == Phase::Open);
     QVERIFY(armByPad());
-    ControlsTap tap(m_rig->client());
+    std::ignore = tap.take();
     m_pads.move(0, -0.4);
     m_pads.move(1, 1);
     QVERIFY(QTest::qWaitFor([&] {
@@ -789,10 +849,16 @@ void TestFlight::gainsDisarmFirst()
     QCOMPARE(live.value(gain), std::optional(double(float(before * 1.5))));
     QVERIFY(isSoon(m_rig->client().roles().armed, 0));
     QCOMPARE(page().session().ended(), ArmingBar::Changed);
-    // A write from the form is refused while it is armed.
+    // A write from the form is refused while it is armed, and so is whatever else is wanted of it.
     QVERIFY(arm());
-    QVERIFY(m_rig->workspace().refusesMeanwhile());
+    m_rig->edit(u"pid.roll.p"_s, 0, double(float(before * 2)));
+    m_rig->workspace().write(std::as_const(m_rig->model()).edited());
+    QVERIFY(!m_rig->workspace().isWriting());
+    const auto wanted = m_rig->workspace().perform(u"clock"_s, {});
+    QVERIFY(wanted.isFinished());
+    QCOMPARE(wanted.result().error().code, ErrorCode::Cancelled);
     QVERIFY(isArmed());
+    m_rig->workspace().discardUnsaved();
 }
 
 // With a gain that is set while it is armed, as only in a stand.
@@ -876,6 +942,50 @@ void TestFlight::closingWaitsUntilItIsSeenToStand()
     QTRY_VERIFY_WITH_TIMEOUT(!m_rig->workspace().mayStillFly(), kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(!m_rig->client().isStopUnproven(), kPatience);
     QVERIFY(window().isVisible());
+}
+
+// Errata 9.1, 9.2 (8): a client over TCP that goes makes it call itself disarmed, and its motors run on.
+void TestFlight::disarmedIsNotStanding()
+{
+    m_rig->client().disconnectFromBoard();
+    SimProcess drone({u"--udp"_s, u"0"_s, u"--tcp"_s, u"0"_s}, u"bcflight"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(drone.process().canReadLine(), kPatience);
+    const QByteArray tcp = drone.process().readLine().trimmed();
+    QVERIFY(m_rig->open(drone.address()));
+    const auto calibrated = m_rig->workspace().perform(u"calibrate.all"_s, {});
+    QTRY_VERIFY_WITH_TIMEOUT(calibrated.isFinished(), kPatience);
+    QVERIFY(isSoon(m_rig->client().roles().calibrated, 1));
+    trust();
+    QVERIFY(arm());
+    page().throttle()->setValue(20);
+    QVERIFY(isSoon(m_rig->client().roles().outputs, 1));
+    drone.process().write("runs-on=1\n");
+    QVERIFY(m_rig->boardGoesOn(0.3));
+    QSignalSpy stopped(&m_rig->client(), &DeviceClient::motorsOffFinished);
+    page().disarmButton()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(stopped.count() > 0, kPatience);
+    QTcpSocket other;
+    other.connectToHost(QHostAddress::LocalHost, tcp.split(':').last().toUShort());
+    QTRY_COMPARE_WITH_TIMEOUT(other.state(), QAbstractSocket::ConnectedState, kPatience);
+    other.disconnectFromHost();
+    QVERIFY(isSoon(m_rig->client().roles().armed, 0));
+    QVERIFY(isSoon(m_rig->client().roles().outputs, 1));
+    QVERIFY(m_rig->workspace().mayStillFly());
+    window().close();
+    QVERIFY(m_rig->boardGoesOn(0.3));
+    QVERIFY(window().isVisible());
+    m_rig->client().submit<void>([](Channel &channel, Device &) -> Result<void> {
+        channel.allowMotors();
+        return {};
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(!m_rig->client().isStopUnproven(), kPatience);
+    page().open(true);
+    QVERIFY2(isRefused(u"its motors are driven"_s), qPrintable(page().stateText()));
+    drone.process().write("runs-on=0\n");
+    m_rig->workspace().setMotors(false);
+    QVERIFY(isSoon(m_rig->client().roles().outputs, 0));
+    QTRY_VERIFY_WITH_TIMEOUT(!m_rig->workspace().mayStillFly(), kPatience);
+    m_rig->client().disconnectFromBoard();
 }
 
 // It has gone on as it was told last, all the time.

@@ -376,7 +376,8 @@ void FlightPage::tick()
         && !m_pad->isHeld() && !m_arm->isDown();
     if (m_session.isArming() && isIdle)
         m_session.end(ArmingBar::Idle);
-    if (m_session.isArming() && !window()->isActiveWindow())
+    // Not only once it is armed: a gamepad is heard behind other windows too.
+    if (isUnderWay() && !window()->isActiveWindow())
         m_session.end(ArmingBar::Focus);
     const bool wasArmed = m_session.phase() == ArmingSession::Phase::Armed;
     const ArmingSession::Send send = m_session.step(known(), sticks(), now);
