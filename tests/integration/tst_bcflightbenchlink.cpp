@@ -20,7 +20,6 @@
 #include <QTest>
 #include <QThread>
 #include <QTimer>
-#include <QTimer>
 
 #include <csignal>
 
