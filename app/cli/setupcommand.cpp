@@ -5,6 +5,8 @@
 #include "protocol/guide/setupguide.h"
 #include "protocol/procedure/trialnote.h"
 
+#include <QJsonDocument>
+
 #include <algorithm>
 
 using namespace Qt::StringLiterals;
@@ -12,6 +14,8 @@ using namespace Qt::StringLiterals;
 namespace {
 
 const QString kNext = u"next"_s;
+const QString kPage = u".html"_s;
+const QString kData = u".json"_s;
 
 QString english(const char *text)
 {
@@ -50,13 +54,13 @@ public:
         return {switchOption(u"confirmed"_s, u"what the step asks to be confirmed is so"_s, m_confirmed),
                 switchOption(u"skip"_s, u"leave the step out; the certificate says so"_s, m_skip),
                 switchOption(u"anew"_s, u"forget what was done before"_s, m_anew),
-                textOption(u"certificate"_s, u"FILE"_s, u"write all that was found into an HTML page"_s,
-                           m_certificate)};
+                textOption(u"certificate"_s, u"FILE"_s,
+                           u"write all that was found into a page (.html) or as .json"_s, m_certificate)};
     }
     QString check() const override
     {
-        if (m_certificate.endsWith(u".pdf"_s, Qt::CaseInsensitive))
-            return u"setup writes the certificate as HTML: give it a name that ends in .html"_s;
+        if (!m_certificate.isEmpty() && !m_certificate.endsWith(kPage) && !m_certificate.endsWith(kData))
+            return u"setup writes the certificate as a page or as data: give it a name that ends in .html or .json"_s;
         if (arguments().isEmpty())
             return m_skip ? u"setup --skip needs the step to leave out"_s : QString();
         if (arguments().first() == kNext || findSetupStep(arguments().first()))
@@ -110,9 +114,10 @@ protected:
         if (arguments().isEmpty())
             list(steps, *record, outcome);
         if (!m_certificate.isEmpty()) {
-            const QString page
-                = setupCertificate(*record, steps, english, [](const QString &key) { return key; });
-            if (const auto saved = writeWhole(m_certificate, page.toUtf8()); !saved)
+            const QByteArray whole = m_certificate.endsWith(kData)
+                ? QJsonDocument(record->toJson()).toJson()
+                : setupCertificate(*record, steps, english, [](const QString &key) { return key; }).toUtf8();
+            if (const auto saved = writeWhole(m_certificate, whole); !saved)
                 return tl::unexpected(saved.error());
             outcome.note += u"the certificate is in %1\n"_s.arg(m_certificate);
         }

@@ -246,6 +246,8 @@ Result<ActionReply> Device::tellRecordings(Channel &channel)
 // Its answer carries what it really set (errata 6.6), and so do its settings.
 Result<ActionReply> Device::setTransmitter(Channel &channel, Message id, int wanted) const
 {
+    if (const auto may = checkMaySend(channel, id); !may)
+        return tl::unexpected(may.error());
     const auto there = transmitter(channel);
     if (!there)
         return there;

@@ -123,6 +123,13 @@ void TestCtlSetup::anUnpackedGimbalIsTuned()
     const QString text = QString::fromUtf8(file.readAll());
     for (const QString &part : {u"Gains: "_s, u"Vibration: left out"_s, u"° RMS"_s})
         QVERIFY2(text.contains(part), qPrintable(text));
+    const QString data = m_dir->filePath(u"certificate.json"_s);
+    QCOMPARE(setup(link, {u"--certificate"_s, data}).exitCode, 0);
+    QFile steps(data);
+    QVERIFY(steps.open(QFile::ReadOnly));
+    const QJsonObject told = QJsonDocument::fromJson(steps.readAll()).object().value(u"steps"_s).toObject();
+    QCOMPARE(told.value(u"gains"_s).toObject().value(u"state"_s).toString(),
+             gains.exitCode ? u"poor"_s : u"done"_s);
     qInfo("from the box to the certificate: %d commands, %.1f minutes", commands + 1,
           double(clock.elapsed()) / 60000);
     // The board itself holds it.
@@ -140,6 +147,8 @@ void TestCtlSetup::wrongWordsAreTold_data()
     QTest::newRow("no such answer") << QStringList{u"power"_s, u"colour=red"_s} << u"colour"_s;
     QTest::newRow("out of range") << QStringList{u"power"_s, u"cells=99"_s} << u"cells"_s;
     QTest::newRow("by its name on the page") << QStringList{u"Battery"_s, u"cells=99"_s} << u"cells"_s;
+    QTest::newRow("no such form") << QStringList{u"--certificate"_s, u"page.pdf"_s}
+                                  << u"ends in .html or .json"_s;
     QTest::newRow("no value") << QStringList{u"power"_s, u"cells"_s} << u"ANSWER=VALUE"_s;
 }
 
