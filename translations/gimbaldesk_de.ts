@@ -876,16 +876,16 @@
         <translation>Nochmals: die Kamera wird rütteln</translation>
     </message>
     <message>
-        <source>The board is searching. Keep the gimbal as it is. F12 or the red button stops everything.</source>
-        <translation>Das Board sucht. Lassen Sie den Gimbal, wie er ist. F12 oder der rote Knopf hält alles an.</translation>
+        <source>The board is searching. Keep the gimbal as it is. F12 or the button STOP MOTORS stops everything.</source>
+        <translation>Das Board sucht. Lassen Sie den Gimbal, wie er ist. F12 oder der Knopf MOTOREN STOPPEN hält alles an.</translation>
     </message>
     <message>
         <source>Error</source>
         <translation>Fehler</translation>
     </message>
     <message>
-        <source>Iteration %1. Keep the gimbal as it is. F12 or the red button stops everything.</source>
-        <translation>Durchgang %1. Lassen Sie den Gimbal, wie er ist. F12 oder der rote Knopf hält alles an.</translation>
+        <source>Iteration %1. Keep the gimbal as it is. F12 or the button STOP MOTORS stops everything.</source>
+        <translation>Durchgang %1. Lassen Sie den Gimbal, wie er ist. F12 oder der Knopf MOTOREN STOPPEN hält alles an.</translation>
     </message>
     <message>
         <source>The previous gains are in use again.</source>
@@ -2406,16 +2406,16 @@
         <translation>%1 wurde nicht gesendet.</translation>
     </message>
     <message>
-        <source>It can move the camera or change settings.</source>
-        <translation>Es kann die Kamera bewegen oder Einstellungen ändern.</translation>
-    </message>
-    <message>
         <source>Tick “Allow commands that change something” to send it all the same.</source>
         <translation>Haken Sie „Befehle erlauben, die etwas ändern“ an, um es trotzdem zu senden.</translation>
     </message>
     <message>
         <source>Command: a name with fields or bytes, or a whole frame in hex</source>
         <translation>Befehl: ein Name mit Feldern oder Bytes, oder ein ganzer Frame in Hex</translation>
+    </message>
+    <message>
+        <source>It can move motors or change settings.</source>
+        <translation>Er kann Motoren bewegen oder Einstellungen ändern.</translation>
     </message>
 </context>
 <context>
@@ -4525,6 +4525,10 @@
         <source>it moves the drone whether or not it is armed</source>
         <translation>es bewegt die Drohne, ob sie scharf ist oder nicht</translation>
     </message>
+    <message>
+        <source>these bytes are not one whole message</source>
+        <translation>diese Bytes sind nicht eine ganze Nachricht</translation>
+    </message>
 </context>
 <context>
     <name>ErrorText</name>
@@ -6094,8 +6098,8 @@
         <translation>Eine Steuersitzung öffnen?</translation>
     </message>
     <message>
-        <source>From then on this program can arm the drone and turn its motors. Stopping them, by the red button, F12 or the space bar, makes it fall. Nobody may be within reach of a propeller.</source>
-        <translation>Von da an kann dieses Programm die Drohne scharf schalten und ihre Motoren drehen. Wer sie anhält, mit dem roten Knopf, F12 oder der Leertaste, lässt sie fallen. Niemand darf in Reichweite eines Propellers sein.</translation>
+        <source>From then on this program can arm the drone and turn its motors. Stopping them, by the button STOP MOTORS, F12 or the space bar, makes it fall. Nobody may be within reach of a propeller.</source>
+        <translation>Von da an kann dieses Programm die Drohne scharf schalten und ihre Motoren drehen. Wer sie anhält, mit dem Knopf MOTOREN STOPPEN, F12 oder der Leertaste, lässt sie fallen. Niemand darf in Reichweite eines Propellers sein.</translation>
     </message>
     <message>
         <source>The propellers are off</source>
@@ -6266,10 +6270,6 @@
         <translation>Tasten: W und S Gas, A und D Gieren, Pfeile Rollen und Nicken, Leertaste entschärft.</translation>
     </message>
     <message>
-        <source>the process that stops it if this program dies has not started, or has ended.</source>
-        <translation>Der Prozess, der sie anhält, falls dieses Programm stirbt, ist nicht gestartet oder beendet.</translation>
-    </message>
-    <message>
         <source>If it is unplugged or falls silent, the drone is disarmed. Its sticks are assigned on the page “Gamepad”.</source>
         <translation>Wird es abgezogen oder verstummt es, wird die Drohne entschärft. Seine Knüppel werden auf der Seite „Gamepad“ zugeordnet.</translation>
     </message>
@@ -6308,6 +6308,10 @@
     <message>
         <source>its directions have not been checked with these sticks as they are assigned now.</source>
         <translation>seine Richtungen sind mit diesen Sticks, wie sie jetzt zugewiesen sind, nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>the process that stops it if this program dies (gimbalguard, in this program&apos;s folder) has not started, or has ended.</source>
+        <translation>der Prozess, der sie stoppt, wenn dieses Programm abbricht (gimbalguard, im Ordner dieses Programms), ist nicht gestartet oder hat geendet.</translation>
     </message>
 </context>
 <context>
@@ -21656,8 +21660,8 @@ Auf dem Board: %1</translation>
         <translation>Eine Änderung würde erst danach wirken und ersetzen, was gefunden wurde.</translation>
     </message>
     <message>
-        <source>Wait until it is over, or end it first. F12 and the red button switch the motors off at once.</source>
-        <translation>Warten Sie, bis sie fertig ist, oder beenden Sie sie zuerst. F12 und der rote Knopf schalten die Motoren sofort aus.</translation>
+        <source>Wait until it is over, or end it first. F12 and the button STOP MOTORS switch the motors off at once.</source>
+        <translation>Warten Sie, bis sie fertig ist, oder beenden Sie sie zuerst. F12 und der Knopf MOTOREN STOPPEN schalten die Motoren sofort aus.</translation>
     </message>
     <message>
         <source>The motors run again.</source>

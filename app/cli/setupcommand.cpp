@@ -60,7 +60,8 @@ public:
     QString check() const override
     {
         if (!m_certificate.isEmpty() && !m_certificate.endsWith(kPage) && !m_certificate.endsWith(kData))
-            return u"setup writes the certificate as a page or as data: give it a name that ends in .html or .json"_s;
+            return u"setup writes the certificate as a page or as data: give it a name that ends in .html or "
+                   ".json"_s;
         if (arguments().isEmpty())
             return m_skip ? u"setup --skip needs the step to leave out"_s : QString();
         if (arguments().first() == kNext || findSetupStep(arguments().first()))

@@ -451,7 +451,7 @@ bool Workspace::refusesMeanwhile()
             {tr("A search, measurement or calibration is running."),
              tr("A change made now would only take effect afterwards, and replace what was "
                 "found."),
-             tr("Wait until it is over, or end it first. F12 and the red button switch the "
+             tr("Wait until it is over, or end it first. F12 and the button STOP MOTORS switch the "
                 "motors off at once."),
              {}});
     return m_flown || m_live.isHeld();

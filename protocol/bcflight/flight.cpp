@@ -22,7 +22,7 @@ namespace bcflight {
 namespace {
 
 constexpr auto kStopAtFullRate = 500ms;  // errata 9.2, 2
-constexpr auto kDisarms = 3s;
+constexpr auto kDisarms = 1s;
 constexpr auto kLookAgain = 100ms;
 
 // clang-format off

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The console's view of the messages.
+#include "protocol/base/hexbytes.h"
 #include "protocol/bcflight/device.h"
 #include "protocol/bcflight/framer.h"
 
@@ -95,6 +96,24 @@ QString withNote(const MessageSpec &message, const QString &fields)
     return note.isEmpty() ? fields : fields.isEmpty() ? u"(%1)"_s.arg(note) : u"%1 (%2)"_s.arg(fields, note);
 }
 
+// What somebody would type for it: its name and its numbers. Nothing may stand behind one message, which the
+// drone would take for others. Empty: it is not that.
+QStringList wordsOf(const QByteArray &bytes, Generation generation)
+{
+    const auto front = readId(asBytes(bytes));
+    const auto id = front ? groundMessage(front->wire, generation) : std::nullopt;
+    const MessageSpec *spec = id ? findMessage(*id) : nullptr;
+    if (!spec || !spec->fromGround)
+        return {};
+    const Bytes payload = asBytes(bytes).subspan(front->size);
+    if (payloadSize(*spec->fromGround, payload, Controls::size(generation)) != payload.size())
+        return {};
+    QStringList words{QString::fromLatin1(spec->name)};
+    for (const FieldValue &value : decodeFields(*spec->fromGround, payload))
+        words.append(QString::number(value.number, 'g', std::numeric_limits<double>::max_digits10));
+    return words;
+}
+
 }  // namespace
 
 FrameText Device::describeFrame(const FrameView &frame, bool fromBoard) const
@@ -160,9 +179,12 @@ bool Device::isTelemetryFrame(int id) const
 
 Result<RawCommand> Device::parseCommand(const QString &text) const
 {
-    const QStringList words = text.simplified().split(u' ', Qt::SkipEmptyParts);
+    const auto whole = bytesFromHex(text.trimmed());
+    const QStringList words
+        = whole ? wordsOf(*whole, m_generation) : text.simplified().split(u' ', Qt::SkipEmptyParts);
     if (words.isEmpty())
-        return failure(ErrorCode::InvalidArgument, u"nothing to send"_s);
+        return failure(ErrorCode::InvalidArgument,
+                       whole ? u"these bytes are not one whole message"_s : u"nothing to send"_s);
     const MessageSpec *spec = findMessage(words.front());
     if (!spec)
         return failure(ErrorCode::InvalidArgument, u"there is no message '%1'"_s.arg(words.front()));

@@ -150,7 +150,8 @@ Result<void> Writer::readWhole()
 
 Result<void> Writer::backUp()
 {
-    if (m_options.backupDone)
+    // Of a text that is written each state has a copy: what stood in it cannot be guessed afterwards.
+    if (m_options.backupDone && m_data.empty())
         return {};
     if (!m_options.history)
         return failure(ErrorCode::NoBackup);

@@ -437,6 +437,20 @@ void TestBcflightDevice::textComesBeforeGains()
             written.append(progress.subject);
     }
     QCOMPARE(written, (QStringList{u"CONFIG_FILE"_s, u"GAINS"_s}));
+
+    // What stood in a text cannot be guessed: each state of it is kept, unlike values.
+    options.backupDone = true;
+    Configuration again = report->onBoard;
+    again.setBlock({0, ConfigurationText}, text + "-- quieter\n");
+    const auto second = writeConfiguration(rig.channel, rig.device, report->onBoard, again, options);
+    QVERIFY(second && second->isComplete());
+    QVERIFY(!second->snapshotPath.isEmpty());
+    const auto kept = loadConfiguration(second->snapshotPath, {family()});
+    QVERIFY(kept);
+    QCOMPARE(kept->configuration.block({0, ConfigurationText}), text);
+    QVERIFY(again.setRaw(roll, 0, wanted * 1.1));
+    const auto third = writeConfiguration(rig.channel, rig.device, second->onBoard, again, options);
+    QVERIFY(third && third->isComplete() && third->snapshotPath.isEmpty());
 }
 
 void TestBcflightDevice::lostAnswersToAnUploadAreSeenThrough_data()
@@ -1103,6 +1117,16 @@ void TestBcflightDevice::consoleRefusesWhatSteers()
          {"CONTROLS 0", "SET_THRUST 0.5", "SET_ROLL 1", "MOTOR_TEST 0", "CALIBRATE_ESCS", "SET_CONFIG_FILE 0",
           "UPDATE_UPLOAD_INIT", "NOTHING", "", "SET_ROLL_PID_P", "SET_ROLL_PID_P nan", "SET_ROLL_PID_P 2"})
         QVERIFY2(!rig.device.parseCommand(QString::fromLatin1(text)), text);
+    // In hex as well: of what is not sent, too much, too little, two at once, no number, out of range.
+    for (const char *text : {"83ff01000000", "83 ff 01 00 00 00 00", "00e000000000", "0043 3f000000", "8500",
+                             "00503f0000", "8582", "0050 7fc00000", "0050 40000000", "00"})
+        QVERIFY2(!rig.device.parseCommand(QString::fromLatin1(text)), text);
+    for (const char *text : {"0050 3f 00 00 00", "00503f000000"}) {
+        const auto typed = rig.device.parseCommand(QString::fromLatin1(text));
+        QVERIFY2(typed && typed->name == u"SET_ROLL_PID_P"_s && typed->risk == ActionRisk::Writes, text);
+        QCOMPARE(typed->bytes, QByteArray::fromHex("00503f000000"));
+    }
+    QCOMPARE(rig.device.parseCommand(u"00 69"_s)->name, u"GET_BOARD_INFOS"_s);
     const auto status = rig.device.parseCommand(u"status"_s);
     QVERIFY(status);
     QCOMPARE(status->bytes, QByteArray::fromHex("85"));

@@ -204,6 +204,7 @@ constexpr const char *kDetails[] = {
     QT_TRANSLATE_NOOP("ErrorDetail", "stopped at command %1"),
     QT_TRANSLATE_NOOP("ErrorDetail", "after %1 come payload bytes in hex%2"),
     QT_TRANSLATE_NOOP("ErrorDetail", "these bytes are not one complete frame with valid checksums"),
+    QT_TRANSLATE_NOOP("ErrorDetail", "these bytes are not one whole message"),
     QT_TRANSLATE_NOOP("ErrorDetail", "there is no command '%1'"),
     QT_TRANSLATE_NOOP("ErrorDetail", "%1 is what the board sends"),
     QT_TRANSLATE_NOOP("ErrorDetail", "%1 payload bytes, a frame holds 255"),

@@ -229,8 +229,8 @@ void AutoTunePage::setState(State state)
     switch (state) {
     case State::Ready: m_text->setText(readyText()); break;
     case State::Running:
-        m_text->setText(
-            tr("The board is searching. Keep the gimbal as it is. F12 or the red button stops everything."));
+        m_text->setText(tr("The board is searching. Keep the gimbal as it is. F12 or the button STOP MOTORS "
+                           "stops everything."));
         break;
     case State::Finished:
         m_text->setText(tr("The new gains are in use, but not stored. Try them: turn the gimbal by hand and "
@@ -314,8 +314,9 @@ void AutoTunePage::onProgress(const Progress &progress)
         add(m_errors, u"error"_s, tr("Error"), Qt::SolidLine);
     }
     fillTable();
-    m_text->setText(tr("Iteration %1. Keep the gimbal as it is. F12 or the red button stops everything.")
-                        .arg(progress.done));
+    m_text->setText(
+        tr("Iteration %1. Keep the gimbal as it is. F12 or the button STOP MOTORS stops everything.")
+            .arg(progress.done));
 }
 
 void AutoTunePage::stop()

@@ -144,7 +144,7 @@ void ConsolePage::send()
     if (command->risk != ActionRisk::Safe && !m_allow->isChecked()) {
         ErrorText text;
         text.what = tr("%1 was not sent.").arg(command->name);
-        text.meaning = tr("It can move the camera or change settings.");
+        text.meaning = tr("It can move motors or change settings.");
         text.cure = tr("Tick “Allow commands that change something” to send it all the same.");
         workspace().notifications().report(text);
         return;

@@ -79,7 +79,9 @@ QString FlightPage::barText(ArmingBar bar) const
     case ArmingBar::Changed: return tr("values are being set.");
     case ArmingBar::Hung: return tr("this program did not send in time.");
     case ArmingBar::Unguarded:
-        return tr("the process that stops it if this program dies has not started, or has ended.");
+        return tr(
+            "the process that stops it if this program dies (gimbalguard, in this program's folder) has not "
+            "started, or has ended.");
     case ArmingBar::Failed: return tr("an error occurred.");
     }
     return {};
@@ -92,14 +94,15 @@ void FlightPage::askToOpen()
                                            Notice::Attention);
         return;
     }
-    QDialog *panel = askInPanel(
-        {tr("Open a control session?"),
-         tr("From then on this program can arm the drone and turn its motors. Stopping them, by the red "
-            "button, F12 or the space bar, makes it fall. Nobody may be within reach of a propeller."),
-         {{tr("The propellers are off"), [this] { open(false); }, true},
-          {tr("It is held in a test stand"), [this] { open(true); }, true}},
-         tr("Do not open")},
-        this);
+    QDialog *panel
+        = askInPanel({tr("Open a control session?"),
+                      tr("From then on this program can arm the drone and turn its motors. Stopping them, by "
+                         "the button STOP MOTORS, F12 or the space bar, makes it fall. Nobody may be within "
+                         "reach of a propeller."),
+                      {{tr("The propellers are off"), [this] { open(false); }, true},
+                       {tr("It is held in a test stand"), [this] { open(true); }, true}},
+                      tr("Do not open")},
+                     this);
     connect(&workspace().client(), &DeviceClient::stateChanged, panel, &QDialog::reject);
 }
 
