@@ -45,6 +45,7 @@ SimulatedBoard::SimulatedBoard(const SimulatorOptions &options)
     , m_parameters(parameterRows(), kBlocks, m_options.firmware, equipmentOf(m_options))
     , m_stabilizer(options.seed)
     , m_names({u"Handheld"_s, u"Studio"_s, u"Vehicle"_s, QString(), QString()})
+    , m_receiver(options.seed * 2 + 5)
     , m_sensorNoise(options.seed * 2 + 3)
 {
     m_restOfMemory.fill('\xFF', kMemorySize);
@@ -90,7 +91,7 @@ void SimulatedBoard::loadDefaults(int profile)
 
 // As it comes out of its box: motors that nobody has told of, one of them the wrong way round, a sensor that
 // is told to sit as on the manufacturer's own gimbal (errata 3.4), gains that suit no camera in particular,
-// thresholds of another battery.
+// thresholds of another battery, sticks that are swapped and one that is the wrong way round.
 void SimulatedBoard::unpack()
 {
     m_ram = m_eeprom[std::size_t(m_active)];
@@ -108,6 +109,9 @@ void SimulatedBoard::unpack()
     store(u"motor.pitch.invert"_s, 0, 1);
     store(u"imu.main.axis_top"_s, 0, -1);
     store(u"imu.main.axis_right"_s, 0, 3);
+    store(u"rc.map.roll"_s, 0, 2);
+    store(u"rc.map.pitch"_s, 0, 1);
+    store(u"rc.yaw.inverted"_s, 0, 1);
     store(u"battery.alarm"_s, 0, 1400);
     store(u"battery.motors_off"_s, 0, -1200);
 }
@@ -124,6 +128,7 @@ void SimulatedBoard::boot()
     m_emergency = false;
     m_emergencyCause = 9;
     m_magCalibration = {};
+    m_initialized.clear();
     m_otherVars = {{37, 0}, {38, 0}};
     if (!spec(u"pid.roll.gain"_s))
         m_otherVars.insert({{42, 45}, {43, 45}, {44, 45}});
@@ -284,6 +289,7 @@ void SimulatedBoard::cycle()
         m_stabilizer.step();
         return;
     }
+    m_receiver.step(m_options.faults, Stabilizer::kCycle);
     updateSlots();
     updateTargets();
     updateMotorCalibration();

@@ -7,6 +7,7 @@
 #include "protocol/simplebgc/parametertables.h"
 #include "protocol/simplebgc/payloads.h"
 #include "protocol/simulator/simplebgc/autopidsearch.h"
+#include "protocol/simulator/simplebgc/receiver.h"
 #include "protocol/simulator/world/simulatedboard.h"
 #include "protocol/simulator/world/stabilizer.h"
 
@@ -15,6 +16,7 @@
 
 #include <deque>
 #include <map>
+#include <set>
 
 namespace simplebgc {
 
@@ -92,12 +94,17 @@ private:
     // signals (signals.cpp)
     void setChannels(const Frame &frame);
     void updateSlots();
+    void runRcCommand();
+    /// A remote control or virtual channels can steer it.
+    [[nodiscard]] bool isSignalled() const { return m_signals.isAny || m_receiver.isReceiving(); }
+    /// The board looks at a pin because something uses it, or because it was asked to.
+    [[nodiscard]] bool isWatched(int pin) const;
     /// -1 to 1; empty: nobody gives it.
     [[nodiscard]] std::optional<double> signal(int source) const;
     [[nodiscard]] std::optional<double> rcInput(const QString &name) const;
     [[nodiscard]] std::optional<double> rcTarget(Axis axis);
     [[nodiscard]] QByteArray slotState(const Frame &frame) const;
-    [[nodiscard]] QByteArray rcInputs(const Frame &frame) const;
+    [[nodiscard]] QByteArray rcInputs(const Frame &frame);
     void runMenu(int action, int version);
     // the rest of its memory (memory.cpp)
     bool handleMemory(const Frame &frame);
@@ -262,9 +269,12 @@ private:
     {
         std::array<std::optional<double>, 32> channels{};  // -1 to 1
         std::array<int, kTriggerSlots> fifths{};  // 0 none, 1 to 5
+        int third = 0;  // of the input of commands: 0 none, 1 to 3
         bool isAny = false;
     };
     Signals m_signals;
+    SimulatedReceiver m_receiver;
+    std::set<int> m_initialized;  // pins
     // What else it keeps.
     QByteArray m_restOfMemory;
     QByteArray m_external;

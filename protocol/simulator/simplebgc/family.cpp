@@ -39,6 +39,7 @@ Result<void> readBoard(SimulatorSetup &setup, const QString &text)
 
 // A camera is mounted, but nobody has balanced it yet.
 constexpr double kUnbalanced = 500;  // %
+constexpr int kPulseReceiver = 1;  // see Faults::receiver
 
 Result<void> readCondition(SimulatorSetup &setup, const QString &text)
 {
@@ -47,6 +48,7 @@ Result<void> readCondition(SimulatorSetup &setup, const QString &text)
     if (text == u"new"_s) {
         setup.options.own[u"condition"_s] = 1;
         setup.options.faults.imbalance = kUnbalanced;
+        setup.options.faults.receiver = kPulseReceiver;
     }
     return {};
 }
@@ -100,7 +102,8 @@ SimulatedFamily simulatedFamily()
           u"C"_s,
           {u"used (default) or new: just unpacked, with the wrong poles and a wrong direction,"_s,
            u"a sensor that sits otherwise than it is told, uncalibrated, out of balance, with"_s,
-           u"gains of nobody and thresholds of another battery"_s},
+           u"gains of nobody, thresholds of another battery, and a remote control that is"_s,
+           u"mapped otherwise than its receiver is connected"_s},
           readCondition},
          {u"number"_s, u"XX"_s, {u"00 or ff: no number of its own, but bytes of that kind"_s}, readNumber},
          {u"parity"_s,

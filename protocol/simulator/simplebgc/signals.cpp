@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kFirstApiSource = 129;  // errata 4.3
 constexpr int kLastApiSource = 159;
+constexpr int kLastPin = 5;
 constexpr int kUndefined = -10000;
 constexpr int kFineUndefined = -32768;
 constexpr double kFull = 500;
@@ -56,7 +57,7 @@ std::optional<double> SimulatedBoard::signal(int source) const
         return std::clamp(m_stabilizer.hand().angle(axis) / kFcSpan, -1.0, 1.0);
     }
     if (source < kFirstApiSource || source > kLastApiSource)
-        return {};  // there is no receiver, and nothing at the analog inputs
+        return m_receiver.signal(source, int(value(u"rc.input_mode"_s)));  // nothing is at the analog ones
     return m_signals.channels[std::size_t(source - kFirstApiSource)];
 }
 
@@ -68,16 +69,19 @@ std::optional<double> SimulatedBoard::rcInput(const QString &name) const
 // By an angle or a speed, as the profile says.
 std::optional<double> SimulatedBoard::rcTarget(Axis axis)
 {
-    const auto stick = m_signals.isAny ? rcInput(QLatin1String(axisKey(axis))) : std::nullopt;
+    const auto stick = isSignalled() ? rcInput(QLatin1String(axisKey(axis))) : std::nullopt;
     if (!stick)
         return {};
     const double band = value(u"rc.deadband"_s) / kFull;
-    const double beyond = std::abs(*stick) < band ? 0.0 : *stick;
+    const double sign = axisValue("rc.%a.inverted", axis) != 0.0 ? -1 : 1;
+    const double beyond = std::abs(*stick) < band ? 0.0 : sign * *stick;
     const double low = axisValue("rc.%a.min_angle", axis);
     const double high = axisValue("rc.%a.max_angle", axis);
     const double turn = axisValue("rc.%a.speed", axis);
     const double before = m_stabilizer.target(axis);
     const bool isSpeed = int(axisValue("rc.%a.mode", axis)) & 1;
+    if (isSpeed && beyond == 0.0)
+        return {};  // it stands, or follows the frame
     if (isSpeed)
         return std::clamp(before + beyond * turn * Stabilizer::kCycle, std::min(low, before),
                           std::max(high, before));
@@ -86,12 +90,40 @@ std::optional<double> SimulatedBoard::rcTarget(Axis axis)
     return before + std::clamp(goal - before, -step, step);
 }
 
+// Three positions, a command for each (document, RC_CMD_LOW).
+void SimulatedBoard::runRcCommand()
+{
+    const auto position = rcInput(u"cmd"_s);
+    const int third = position ? std::clamp(int((*position + 1.0) * 1.5), 0, 2) + 1 : 0;
+    const int before = std::exchange(m_signals.third, third);
+    if (third == before || third == 0 || before == 0)
+        return;
+    static const std::array kCommands{u"service.rc_low"_s, u"service.rc_middle"_s, u"service.rc_high"_s};
+    if (const int action = int(value(kCommands[std::size_t(third - 1)])); action != 0)
+        runMenu(action, m_lastVersion);
+}
+
+bool SimulatedBoard::isWatched(int pin) const
+{
+    const QByteArray &memory = m_ram[AdjVarsCfg];
+    bool isUsed = m_initialized.count(pin) > 0;
+    for (const char *key : kSignalKeys)
+        isUsed |= int(value(QLatin1String(key))) == pin;
+    for (int i = 0; i < kTriggerSlots; ++i)
+        isUsed |= quint8(memory[6 * i]) == pin;
+    for (int i = 0; i < kAnalogSlots; ++i)
+        isUsed |= quint8(memory[60 + 4 * i]) == pin;
+    return isUsed;
+}
+
 void SimulatedBoard::updateSlots()
 {
-    if (!m_signals.isAny) {
+    if (!isSignalled()) {
         m_signals.fifths = {};
+        m_signals.third = 0;
         return;
     }
+    runRcCommand();
     const QByteArray &memory = m_ram[AdjVarsCfg];
     for (int i = 0; i < kTriggerSlots; ++i) {
         const auto stick = signal(quint8(memory[6 * i]));
@@ -143,13 +175,18 @@ QByteArray SimulatedBoard::slotState(const Frame &frame) const
     return writer.i16(fine(signal(table))).f32(float(adjVar(tableId).value_or(0))).take();
 }
 
-QByteArray SimulatedBoard::rcInputs(const Frame &frame) const
+QByteArray SimulatedBoard::rcInputs(const Frame &frame)
 {
     ByteReader reader(frame.payload);
-    reader.skip(2);
+    const bool initializes = reader.u16() & 1;
     ByteWriter writer;
-    while (reader.remaining() > 0)
-        writer.i16(fine(signal(reader.u8())));
+    while (reader.remaining() > 0) {
+        const int source = reader.u8();
+        const bool isPin = source > 0 && source <= kLastPin;
+        if (isPin && initializes)
+            m_initialized.insert(source);
+        writer.i16(fine(isPin && !isWatched(source) ? std::nullopt : signal(source)));
+    }
     return writer.take();
 }
 

@@ -85,6 +85,13 @@ const std::vector<Row> &rows()
         {"mount", 0, 23, "simplebgc storm32", "how the sensor sits on the camera, as a STorM32 counts orientations; SimpleBGC: 4 times which of its "
          "axes points up (0 to 5: Z X Y -Z -X -Y), and which of the others to the right (with Z: 0 to 3: X Y -X -Y)",
          [](Faults &f, double v) { f.mount = int(v); }},
+        {"receiver", 0, 4, "simplebgc", "receiver of a remote control at the board's inputs: 0 none, 1 a wire for each channel, 2 CPPM, 3 S-bus, 4 Spektrum",
+         [](Faults &f, double v) { f.receiver = int(v); }},
+        {"stick", 0, 9, "simplebgc", "stick of the transmitter that is held at an end: 0 none, 1 roll to the right, 2 to the left, 3 pitch down, 4 up, 5 yaw "
+         "right, 6 left, 7 the switch up, 8 down, 9 roll and pitch",
+         [](Faults &f, double v) { f.stick = int(v); }},
+        {"rc-noise", 0, 100, "simplebgc", "noise of the pulses that a receiver gives, µs", [](Faults &f, double v) { f.rcNoise = v; }},
+        {"rc-loss", 0, 1, "simplebgc", "probability that a frame of the transmitter is not received", [](Faults &f, double v) { f.rcLoss = v; }},
         {"frame-mount", 0, 23, "storm32", "how the second sensor sits on the frame",
          [](Faults &f, double v) { f.frameMount = int(v); }},
     };

@@ -48,6 +48,12 @@ struct Faults
     int mount
         = 0;  ///< mount: orientation of the sensor on the camera, as STorM32 numbers them; SimpleBGC: 4 times
               ///< which axis points up (Z X Y -Z -X -Y), and which of the others right (Z: X Y -X -Y)
+    int receiver = 0;  ///< receiver: at the board's inputs: 0 none, 1 with a wire for each channel, 2 CPPM, 3
+                       ///< S-bus, 4 Spektrum
+    int stick = 0;  ///< stick: which one is held at an end: 0 none, 1 roll to the right, 2 to the left, 3
+                    ///< pitch down, 4 up, 5 yaw right, 6 left, 7 the switch up, 8 down, 9 roll and pitch
+    double rcNoise = 1;  ///< rc-noise: of the pulses that a receiver gives, µs
+    double rcLoss = 0;  ///< rc-loss: probability that a frame of the transmitter is not received
     int frameMount = 0;  ///< frame-mount: the same for the second sensor, at the frame
 
     /// Parses NAME=VALUE, for a family (key; empty: whichever it is). Errors: InvalidArgument listing all
