@@ -117,7 +117,10 @@ protected:
         if (!m_certificate.isEmpty()) {
             const QByteArray whole = m_certificate.endsWith(kData)
                 ? QJsonDocument(record->toJson()).toJson()
-                : setupCertificate(*record, steps, english, [](const QString &key) { return key; }).toUtf8();
+                : setupCertificate(
+                      *record, steps, english, [](const QString &key) { return key; },
+                      setupValueNames(device.parameters()))
+                      .toUtf8();
             if (const auto saved = writeWhole(m_certificate, whole); !saved)
                 return tl::unexpected(saved.error());
             outcome.note += u"the certificate is in %1\n"_s.arg(m_certificate);

@@ -10,8 +10,10 @@
 #include "app/pages/board/actionspage.h"
 #include "app/pages/board/controlpage.h"
 #include "app/pages/program/helppage.h"
+#include "app/pages/setup/guidepage.h"
 #include "app/pages/setup/parameterspage.h"
 #include "app/pages/setup/profilespage.h"
+#include "app/pages/setup/stickinputs.h"
 #include "app/pages/tune/responsepage.h"
 #include "app/pages/tune/spectrumpage.h"
 #include "app/pages/tune/tuningpage.h"
@@ -28,6 +30,7 @@
 #include "widgets/plot/plotstack.h"
 #include "widgets/plot/plotview.h"
 #include "widgets/views/controlpad.h"
+#include "widgets/views/inputbars.h"
 
 #include <QAction>
 #include <QApplication>
@@ -227,12 +230,57 @@ void Tour::addEditSteps()
     m_steps.append({u"backups"_s, show(u"backups"_s), {}, 400, {}, false});
 }
 
+// The sticks of a remote control, one of them held at an end.
+void Tour::addRemoteSteps()
+{
+    const auto page = [this] { return pageAs<GuidePage>(m_window, u"guide"_s); };
+    const QString roll = u"RC_ROLL (PWM)"_s;
+    m_steps.append({{},
+                    [this, page] {
+                        for (const char *world : {"hand=1", "receiver=1", "stick=0"})
+                            m_window.workspace().changeWorld(QLatin1String(world));
+                        page()->choose(SetupStep::Remote);
+                        page()->confirmBox()->setChecked(true);
+                        page()->beginButton()->click();
+                    },
+                    [page] { return page()->isUnderWay() && page()->asks().step == u"setup-stick-roll"_s; },
+                    0,
+                    {},
+                    false});
+    m_steps.append({u"guide-remote"_s,
+                    [this] { m_window.workspace().changeWorld(u"stick=1"_s); },
+                    [page, roll] {
+                        return page()->asks().step == u"setup-stick-back"_s
+                            && page()->remote()->bars()->value(roll) > 90;
+                    },
+                    0,
+                    {},
+                    false});
+    m_steps.append({{},
+                    [page] { page()->cancelButton()->click(); },
+                    [page] { return !page()->isUnderWay(); },
+                    0,
+                    {},
+                    false});
+    m_steps.append({{},
+                    [this] {
+                        for (const char *world : {"stick=0", "receiver=0", "hand=0"})
+                            m_window.workspace().changeWorld(QLatin1String(world));
+                        m_window.workspace().setMotors(true);
+                    },
+                    [this] { return m_window.workspace().motorsRunning() == true; },
+                    500,
+                    {},
+                    false});
+}
+
 void Tour::addCalibrationSteps()
 {
     const auto page = [this] { return pageAs<CalibrationPage>(m_window, u"calibration"_s); };
     using Kind = CalibrationPage::Kind;
     using Wizard = CalibrationPage::Step;
     m_steps.append({u"guide"_s, show(u"guide"_s), {}, 500, {}, false});
+    addRemoteSteps();
     m_steps.append({u"signals"_s, show(u"signals"_s), {}, 800, {}, false});
     m_steps.append({u"calibration"_s, show(u"calibration"_s), {}, 400, {}, false});
     m_steps.append({u"calibration-waiting"_s,

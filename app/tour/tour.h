@@ -61,6 +61,7 @@ private:
     void addFamilyWatchSteps(const QString &family);
     void addFamilyTuningSteps(const QString &family);
     void addSensorSteps(const QString &family);
+    void addRemoteSteps();
     void addSetupSteps(const QString &family);
     void addScriptSteps(const QString &family);
     void addFamilyBoardSteps(const QString &family);

@@ -110,6 +110,7 @@ void SimulatedHands::add(const QString &what, const QString &accessibleName, con
     box->setMaximumWidth(Metric::kFieldWidth);
     for (const auto &[name, number] : places)
         box->addItem(name, number);
+    box->setPlaceholderText(accessibleName);
     box->setCurrentIndex(box->findData(now));
     content()->addWidget(box);
     connect(box, &QComboBox::activated, this,

@@ -51,7 +51,7 @@ public:
     /// Other hands: what they do is added.
     SimulatedHands(Workspace &workspace, QWidget *parent);
     /// A choice of its own. @param what of the world it changes, as gimbalsim has it; @param now which of
-    /// them it is as long as nobody changes it
+    /// them it is as long as nobody changes it; -1: that is not known
     void add(const QString &what, const QString &accessibleName, const Places &places, int now = 0);
     /// In the gimbal, and still on each face.
     [[nodiscard]] static Places faces();

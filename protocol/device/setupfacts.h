@@ -28,7 +28,14 @@ struct SetupKeys
     QString poles;
     QString lowest;  ///< degrees that steering reaches
     QString highest;
+    // Remote control.
+    QString inputMap;  ///< which input steers an axis, or gives commands where "%1" is `commandInput`
+    QString inputInverted;
+    QString inputChannel;  ///< telemetry: what the board takes for that function's signal
+    QString commandInput;
     // Actions.
+    QString readInputs;  ///< its reply has "input.NAME" in %, the names those of the map's choices; its
+                         ///< argument "initialize" has inputs read that nothing uses yet
     QString calibrateGyro;  ///< its reply has "gyro.bias.before" and "gyro.bias.after", °/s
     QString calibrateLevel;  ///< its reply has "acc.error.before" and "acc.error.after", g
     QString findPoles;

@@ -28,7 +28,7 @@ QString row(const QString &left, const QString &right)
 }
 
 QString stepHtml(const SetupStepSpec &spec, const SetupResult &result, const SetupWords &words,
-                 const std::function<QString(const QString &)> &labelOf)
+                 const std::function<QString(const QString &)> &labelOf, const SetupValueWords &valueOf)
 {
     QString html = u"<h2>%1: %2</h2>\n"_s.arg(words(spec.action.label),
                                               setupStateWord(result.state, words).toHtmlEscaped());
@@ -44,7 +44,7 @@ QString stepHtml(const SetupStepSpec &spec, const SetupResult &result, const Set
     for (const SetupFigure &figure : result.figures)
         rows += row(setupFigureLabel(figure, words), setupFigureText(figure));
     for (const SetupChange &change : result.changes)
-        rows += row(labelOf(change.key), u"%1 → %2"_s.arg(change.from, change.to));
+        rows += row(labelOf(change.key), setupChangeText(change, valueOf));
     if (!rows.isEmpty())
         html += u"<table width=\"100%\">\n%1</table>\n"_s.arg(rows);
     return html;
@@ -76,7 +76,7 @@ std::span<const char *const> setupCertificateWords()
 
 QString setupCertificate(const SetupRecord &record, const std::vector<SetupStep> &steps,
                          const SetupWords &words, const std::function<QString(const QString &key)> &labelOf,
-                         const QString &note)
+                         const SetupValueWords &valueOf, const QString &note)
 {
     const auto all = setupCertificateWords();
     const BoardIdentity &board = record.identity();
@@ -89,6 +89,6 @@ QString setupCertificate(const SetupRecord &record, const std::vector<SetupStep>
     if (!note.isEmpty())
         html += u"<p><b>%1</b></p>\n"_s.arg(note.toHtmlEscaped());
     for (const SetupStep step : steps)
-        html += stepHtml(setupStep(step), record.result(step), words, labelOf);
+        html += stepHtml(setupStep(step), record.result(step), words, labelOf, valueOf);
     return html + u"<p>%1</p>\n</body></html>\n"_s.arg(words(all.back()).toHtmlEscaped());
 }

@@ -70,6 +70,13 @@ QList<int> SetupGuide::channels(const Device &device)
         if (channel >= 0)
             all.append(channel);
     }
+    const SetupFacts *facts = device.setupFacts();
+    const QString input = facts ? facts->setupKeys().inputChannel.section(u'%', 0, 0) : QString();
+    const auto table = device.channels();
+    for (std::size_t i = 0; i < table.size() && !input.isEmpty(); ++i) {
+        if (QLatin1String(table[i].key).startsWith(input))
+            all.append(int(i));
+    }
     return all;
 }
 
@@ -97,6 +104,7 @@ Result<SetupResult> SetupGuide::run(SetupStep step, const QVariantMap &answers, 
     case SetupStep::Gains: result = gains(); break;
     case SetupStep::Vibration: result = vibration(answers); break;
     case SetupStep::Limits: result = limits(answers); break;
+    case SetupStep::Remote: result = remote(answers); break;
     case SetupStep::Use: result = use(answers); break;
     }
     if (!result)

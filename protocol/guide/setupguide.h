@@ -14,8 +14,8 @@ class Channel;
 
 /// Carries out one step at a time on the worker, the same for the window and for the command line. Where a
 /// person has to do something meanwhile, it is told by progress ("setup-hold", "setup-let-go", "setup-move",
-/// "setup-tilt-..."), and the step waits for what it sees. Whatever is written goes the way of every write:
-/// with a safety copy, read back and compared.
+/// "setup-tilt-...", "setup-stick-..."), and the step waits for what it sees. Whatever is written goes the
+/// way of every write: with a safety copy, read back and compared.
 class SetupGuide
 {
 public:
@@ -50,6 +50,7 @@ private:
     Result<SetupResult> judgeGains(const Configuration &base, const Figures &before);
     Result<SetupResult> vibration(const QVariantMap &answers);
     Result<SetupResult> limits(const QVariantMap &answers);
+    Result<SetupResult> remote(const QVariantMap &answers);
     Result<SetupResult> use(const QVariantMap &answers);
 
     // What is seen.
@@ -83,6 +84,41 @@ private:
     /// @return whether the notch was kept
     Result<bool> tryNotchFor(Axis axis, const SpectrumPeak &peak, SetupResult &result);
 
+    // Sticks of a remote control, and what comes in at the inputs by their names, 1 at an end.
+    using Inputs = QMap<QString, double>;
+    struct Stick
+    {
+        QString function;  ///< "roll"
+        QString input;
+        double rest = 0;
+        double wanted = 0;  ///< where it turns the axis the positive way
+        double other = 0;
+    };
+    /// Where a stick is to be held.
+    struct StickWish
+    {
+        QString step;
+        QString subject;
+        QString input;  ///< which it is about, where it may not differ from where it rests
+        QStringList taken;  ///< that steer something else
+        /// By the input's name, and how far it is from where it rests.
+        std::function<bool(const QString &input, double way)> isThere;
+    };
+    [[nodiscard]] QStringList stickFunctions() const;
+    Result<Inputs> readInputs(bool initializes);
+    /// The same a moment later, told as progress. Errors: ConditionUnmet (no signal; the motors run).
+    Result<Inputs> watchInputs(const QString &step, const QString &subject, double share);
+    /// Waits until all are let go. @param before where they rested the last time
+    Result<Inputs> awaitRest(const QString &step, const Inputs &before);
+    /// Waits until one alone is held so. @return the input, and what comes in there
+    Result<std::pair<QString, double>> awaitStick(const StickWish &wish, const Inputs &rest);
+    Result<Stick> findStick(const QString &function, const Inputs &rest, const QStringList &taken);
+    /// Errors: NotSeen.
+    Result<void> checkStick(const Stick &stick, const std::vector<Stick> &all, const Inputs &before);
+    Result<void> mapSticks(const std::vector<Stick> &sticks, Configuration &edited) const;
+    void describeSticks(const std::vector<Stick> &sticks, const Configuration &board,
+                        SetupResult &result) const;
+
     // What is done.
     Result<void> switchOff();
     Result<void> requireMotors();
@@ -104,4 +140,5 @@ private:
     LiveValues m_live;
     const ChannelRoles m_roles;
     SetupKeys m_keys;
+    TimePoint m_heardAt{};  // something came in
 };

@@ -83,6 +83,12 @@ QString setupStateKey(SetupResult::State state)
     return QLatin1String(it->second);
 }
 
+bool SetupResult::hasChanged() const
+{
+    return std::any_of(changes.begin(), changes.end(),
+                       [](const SetupChange &change) { return change.from != change.to; });
+}
+
 std::optional<double> SetupResult::figure(const QString &key) const
 {
     const auto it = std::find_if(figures.begin(), figures.end(),
@@ -99,7 +105,7 @@ SetupResult SetupRecord::result(SetupStep step) const
 void SetupRecord::add(SetupStep step, SetupResult result)
 {
     const SetupResult before = this->result(step);
-    if (result.state == State::Done && before.state == State::Done && result.changes.isEmpty()) {
+    if (result.state == State::Done && before.state == State::Done && !result.hasChanged()) {
         result.changes = before.changes;
         result.snapshot = before.snapshot;
         for (SetupFigure &figure : result.figures) {
@@ -193,6 +199,25 @@ QString setupFigureText(const SetupFigure &figure)
     };
     const QString text = number(figure.value) + unit;
     return figure.before ? u"%1 ← %2"_s.arg(text, number(*figure.before)) : text;
+}
+
+SetupValueWords setupValueNames(std::shared_ptr<const ParameterSet> parameters)
+{
+    return [parameters = std::move(parameters)](const QString &key, const QString &value) -> QString {
+        const ParameterSpec *spec = parameters->find(key);
+        const auto raw = spec && spec->row->kind == ValueKind::Choice ? spec->parse(value) : std::nullopt;
+        for (const Choice &choice : raw ? spec->choices(spec->firmware) : std::vector<Choice>()) {
+            if (choice.value == *raw)
+                return QLatin1String(choice.name);
+        }
+        return value;
+    };
+}
+
+QString setupChangeText(const SetupChange &change, const SetupValueWords &valueOf, const QString &arrow)
+{
+    const QString to = valueOf(change.key, change.to);
+    return change.from == change.to ? to : u"%1 %2 %3"_s.arg(valueOf(change.key, change.from), arrow, to);
 }
 
 QString setupFigureLabel(const SetupFigure &figure, const SetupWords &words)

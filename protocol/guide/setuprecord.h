@@ -22,7 +22,8 @@ struct SetupFigure
     std::optional<double> before = {};
 };
 
-/// A parameter that a step has written and read back, or proposes.
+/// A parameter that a step has written and read back, or proposes; or that was so already, where that had to
+/// be found.
 struct SetupChange
 {
     QString key;
@@ -46,6 +47,8 @@ struct SetupResult
 
     /// Nothing that has to be done again.
     [[nodiscard]] bool isOver() const { return state == State::Done || state == State::Skipped; }
+    /// A parameter is otherwise than it was.
+    [[nodiscard]] bool hasChanged() const;
     [[nodiscard]] std::optional<double> figure(const QString &key) const;
 };
 
@@ -95,13 +98,21 @@ using SetupWords = std::function<QString(const char *text)>;
 [[nodiscard]] QString setupStateWord(SetupResult::State state, const SetupWords &words);
 /// "0.115 °/s ← 2.400": what is, and what was before.
 [[nodiscard]] QString setupFigureText(const SetupFigure &figure);
+/// What a value of a parameter is called, by the parameter's key and the value as it is kept.
+using SetupValueWords = std::function<QString(const QString &key, const QString &value)>;
+/// The names of choices as their table has them.
+[[nodiscard]] SetupValueWords setupValueNames(std::shared_ptr<const ParameterSet> parameters);
+/// "None → RC channel 1"; "RC channel 1" where it was so already.
+[[nodiscard]] QString setupChangeText(const SetupChange &change, const SetupValueWords &valueOf,
+                                      const QString &arrow = QStringLiteral("→"));
 /// "Zero of the gyroscope · Roll"
 [[nodiscard]] QString setupFigureLabel(const SetupFigure &figure, const SetupWords &words);
 /// The words of its frame, for the catalogue.
 [[nodiscard]] std::span<const char *const> setupCertificateWords();
 /// The certificate as one page of HTML: the board, each step with what it measured, and what was left out.
-/// @param labelOf what a parameter is called, by its key @param note what else has to be known; may be empty
+/// @param labelOf what a parameter is called, by its key @param valueOf its values @param note what else has
+/// to be known; may be empty
 [[nodiscard]] QString setupCertificate(const SetupRecord &record, const std::vector<SetupStep> &steps,
                                        const SetupWords &words,
                                        const std::function<QString(const QString &key)> &labelOf,
-                                       const QString &note = {});
+                                       const SetupValueWords &valueOf, const QString &note = {});

@@ -22,6 +22,11 @@ constexpr ArgumentSpec kLimitArguments[] = {
     {.key = "margin", .label = "Margin at each end", .kind = ArgumentKind::Real, .min = 0, .max = 20, .unit = "°", .defaultText = "3"}};
 constexpr ArgumentSpec kVibrationArguments[] = {
     {.key = "try", .label = "Try a notch where a line stands out", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
+constexpr ArgumentSpec kRemoteArguments[] = {
+    {.key = "roll", .label = "A stick for roll", .kind = ArgumentKind::Toggle, .defaultText = "on"},
+    {.key = "pitch", .label = "A stick for pitch", .kind = ArgumentKind::Toggle, .defaultText = "on"},
+    {.key = "yaw", .label = "A stick for yaw", .kind = ArgumentKind::Toggle, .defaultText = "on"},
+    {.key = "command", .label = "A switch for commands", .kind = ArgumentKind::Toggle, .defaultText = "off"}};
 constexpr ArgumentSpec kUseArguments[] = {
     {.key = "use", .label = "What the gimbal is for", .kind = ArgumentKind::Choice, .choices = kUses, .defaultText = "handheld"},
     {.key = "apply", .label = "Write the values (off: only show what would change)", .kind = ArgumentKind::Toggle, .defaultText = "off"}};
@@ -63,6 +68,10 @@ constexpr SetupStepSpec kSteps[] = {
      {.key = "limits", .label = "Range", .help = "Switches the motors off, watches how far the camera is moved by hand, and sets the range that steering may reach.",
       .risk = ActionRisk::Writes, .arguments = kLimitArguments, .confirm = "I hold the camera"},
      "The frame stands level and still while the camera is moved as far as it may go.", "parameters"},
+    {SetupStep::Remote,
+     {.key = "remote", .label = "Remote control", .help = "Switches the motors off and has you move one stick after the other: finds the input that it moves, its direction and its ends. The map is written, and kept only where the board's own signal follows the stick.",
+      .risk = ActionRisk::Writes, .arguments = kRemoteArguments, .confirm = "I hold the camera: its motors let go"},
+     "Transmitter and receiver are on. What is moved by no stick is left out below; without a remote control, leave out the step.", "signals"},
     {SetupStep::Use,
      {.key = "use", .label = "Use", .help = "Shows which values follow from what the gimbal is for, and writes them if they are wanted.", .risk = ActionRisk::Writes, .arguments = kUseArguments},
      "", "parameters"},
@@ -75,6 +84,7 @@ constexpr SetupFigureSpec kFigures[] = {
     {"bias", "Zero of the gyroscope", "°/s", 3}, {"askew", "Sensor off the camera's level", "°", 1}, {"acc", "Error of the accelerometer", "g", 4},
     {"drift", "Swings when let go", "°", 1}, {"poles", "Poles", "", 0},     {"strays", "Strays from its target", "°", 1}, {"holds", "Held to", "° RMS", 3}, {"line", "Strongest line", "Hz", 1},
     {"shakes", "Vibrates", "°/s RMS", 2}, {"lowest", "Lowest angle", "°", 0}, {"highest", "Highest angle", "°", 0},
+    {"stick.low", "Stick at its lower end", "%", 0}, {"stick.rest", "Stick let go", "%", 0}, {"stick.high", "Stick at its upper end", "%", 0},
 };
 
 constexpr SetupRemarkSpec kRemarks[] = {
@@ -115,6 +125,12 @@ constexpr SetupRemarkSpec kRemarks[] = {
     {"vibration.strong", "An axis vibrates strongly: lower its gains (page Tuning), and measure again.", false},
     {"limits.set", "Steering reaches what you have shown, less the margin."},
     {"limits.kept", "An axis was hardly moved: its range stays as it was.", false},
+    {"remote.set", "The sticks are mapped, and the board follows them."},
+    {"remote.fits", "They were mapped so already, and the board follows them."},
+    {"remote.short", "A stick reaches less than 80 % of its way: widen its travel at the transmitter.", false},
+    {"remote.offset", "A stick does not come back to the middle when it is let go: trim it at the transmitter.", false},
+    {"remote.shared", "Something that was left out has the same input as one of them: map it otherwise, or to none.", false},
+    {"remote.off", "The motors are off. In angle mode the camera turns to where the sticks stand when they are switched on."},
     {"changed.since", "The board holds other values since: do it again.", false},
     {"use.shown", "Nothing is written yet."},
     {"use.set", "The values are written."},
@@ -180,6 +196,7 @@ std::vector<SetupStep> stepsOf(const Device &device)
         offers(keys.autoTune) && hasAngles && roles.target[0] >= 0,
         roles.gyro[0] >= 0,
         knows(keys.lowest) && device.motorSwitch() && hasAngles,
+        knows(keys.inputMap) && offers(keys.readInputs) && device.motorSwitch() && roles.outputs >= 0,
         !keys.uses.empty(),
     };
     for (const SetupStepSpec &spec : kSteps) {

@@ -18,9 +18,10 @@ enum class SetupStep : std::uint8_t {
     Gains,
     Vibration,
     Limits,
+    Remote,
     Use
 };
-inline constexpr std::size_t kSetupSteps = 10;
+inline constexpr std::size_t kSetupSteps = 11;
 
 /// A step: what it is called, what it needs and does, and what it asks.
 struct SetupStepSpec

@@ -82,6 +82,7 @@ const Actions::Entry Actions::kHandlers[] = {
     {"pin", &Actions::setPin},
     {"servo", &Actions::setServo},
     {"signals", &Actions::readSignals},
+    {"inputs", &Actions::readInputs},
     {"channel", &Actions::setChannel},
     {"statistics", &Actions::readStatistics},
     {"profile_set", &Actions::profileSet},

@@ -66,11 +66,14 @@ private:
     Result<ActionReply> readState(const QVariantMap &arguments);
     Result<ActionReply> calibrateFcGain(const QVariantMap &arguments);
     Result<ActionReply> calibrateMagnetometer(const QVariantMap &arguments);
+    // inputactions.cpp
+    Result<ActionReply> readSignals(const QVariantMap &arguments);
+    Result<ActionReply> readInputs(const QVariantMap &arguments);
+    Result<ActionReply> readReportedInputs();
     // boardactions.cpp
     Result<ActionReply> selectImu(const QVariantMap &arguments);
     Result<ActionReply> setPin(const QVariantMap &arguments);
     Result<ActionReply> setServo(const QVariantMap &arguments);
-    Result<ActionReply> readSignals(const QVariantMap &arguments);
     Result<ActionReply> setChannel(const QVariantMap &arguments);
     Result<ActionReply> readStatistics(const QVariantMap &arguments);
     Result<ActionReply> profileSet(const QVariantMap &arguments);

@@ -202,6 +202,9 @@ constexpr ReplyUnit kEncoderUnits[] = {{"offset", "°"}, {"field_offset", "°"},
 constexpr ReplyUnit kMagUnits[] = {{"heading.error", "°"}};
 constexpr ReplyUnit kBatteryUnits[] = {{"voltage", "V"}};
 constexpr ReplyUnit kSignalUnits[] = {{"map", "%"}};
+constexpr ReplyUnit kInputUnits[] = {{"input", "%"}};
+constexpr ArgumentSpec kInputArguments[] = {
+    {.key = "initialize", .label = "Make inputs of pins that nothing uses", .kind = ArgumentKind::Toggle, .defaultText = "off"}};
 constexpr ReplyUnit kSlotUnits[] = {{"signal", "%"}};
 constexpr ReplyUnit kStatisticsUnits[] = {
     {"shock", "g"}, {"work", "s"}, {"max", "mA"}, {"temperature1", "°C"}, {"temperature2", "°C"}, {"temperature3", "°C"}, {"temperature4", "°C"},
@@ -291,6 +294,8 @@ constexpr ActionSpec kActions[] = {
      .group = "Signals", .risk = ActionRisk::Moves, .arguments = kServoArguments, .answered = false},
     {.key = "signals", .label = "Read signals", .help = "What comes in at the inputs that functions are mapped to.",
      .group = "Signals", .since = 2600, .units = kSignalUnits},
+    {.key = "inputs", .label = "Read inputs", .help = "What comes in at all inputs, whether a function is mapped to them or not. Firmware before 2.60 tells of those alone that have one.",
+     .group = "Signals", .arguments = kInputArguments, .units = kInputUnits},
     {.key = "channel", .label = "Give a signal", .help = "Gives a signal at a virtual channel for a time; then it counts as lost.",
      .group = "Signals", .risk = ActionRisk::Moves, .arguments = kChannelArguments, .isProcedure = true,
      .memory = MemoryEffect::ChangesInUse, .answered = false},

@@ -72,47 +72,6 @@ Result<ActionReply> Actions::setServo(const QVariantMap &arguments)
     return sent ? Result<ActionReply>(ActionReply{}) : tl::unexpected(sent.error());
 }
 
-// What the board sees at the inputs that its functions are mapped to.
-Result<ActionReply> Actions::readSignals(const QVariantMap &)
-{
-    const auto active = m_device.activeProfile(m_channel);
-    const auto bytes = active ? m_device.readBlock(m_channel, {*active, Params3})
-                              : Result<QByteArray>(tl::unexpected(active.error()));
-    if (!bytes)
-        return tl::unexpected(bytes.error());
-    QStringList names;
-    ByteWriter writer;
-    writer.u16(0);
-    for (const char *input : kSignalKeys) {
-        const ParameterSpec *spec = m_device.m_parameters->find(QLatin1String(input));
-        const int source = spec ? int(spec->read(*bytes).value_or(0)) : 0;
-        if (source == 0)
-            continue;
-        names.append(QLatin1String(input));
-        writer.u8(source);
-    }
-    if (names.isEmpty())
-        return failure(ErrorCode::ConditionUnmet, u"no function of this profile has a signal"_s);
-    const auto frame
-        = m_channel.transact(replyRequest(CommandId::ReadRcInputs, writer.take(), CommandId::ReadRcInputs,
-                                          2 * int(names.size()), Device::kVersion));
-    if (!frame)
-        return tl::unexpected(frame.error());
-    ByteReader reader(frame->payload);
-    ActionReply reply;
-    QStringList silent;
-    for (const QString &name : std::as_const(names)) {
-        const int raw = reader.i16();
-        if (raw == kFineUndefined)
-            silent.append(name);
-        else
-            reply.insert(name, 100.0 * raw / kFineFull);
-    }
-    if (!silent.isEmpty())
-        reply.insert(u"no_signal"_s, silent.join(u", "_s));
-    return reader.ok() ? Result<ActionReply>(reply) : failure(ErrorCode::BadReply, u"READ_RC_INPUTS"_s);
-}
-
 // Given again and again, as a stick is; at the end, however it comes, nobody gives it any more, which the
 // board treats as a signal that is lost.
 Result<ActionReply> Actions::setChannel(const QVariantMap &arguments)

@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/setup/guidepage.h"
+#include "app/pages/setup/stickinputs.h"
 #include "app/workspace/setupbutton.h"
 #include "protocol/device/abilities.h"
 #include "protocol/device/device.h"
 #include "protocol/telemetry/roles.h"
 #include "tests/support/patience.h"
+#include "tests/support/sticks.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/argumentform.h"
+#include "widgets/views/inputbars.h"
 
 #include <QCheckBox>
 #include <QElapsedTimer>
@@ -38,6 +41,7 @@ private slots:
     void tabGoesFromTheQuestionsToTheButton();
     void cancelledItKeepsWhatWasDone();
     void aFailureIsToldAndKept();
+    void withoutARemoteControlItSaysSo();
 
 private:
     GuidePage &page() { return *m_rig->page<GuidePage>(); }
@@ -57,10 +61,17 @@ private:
         std::ignore = m_rig->jobsAreDone();
         return page().record().result(step).state;
     }
+    void moveSticks(const Progress &progress)
+    {
+        const int stick = stickFor(progress, m_stick);
+        if (std::exchange(m_stick, stick) != stick)
+            world(u"stick=%1"_s.arg(stick));
+    }
     void world(const QString &assignment) { m_rig->workspace().changeWorld(assignment); }
 
     std::unique_ptr<WindowRig> m_rig;
     int m_clicks = 0;
+    int m_stick = 0;
 };
 
 void TestGuide::anUnpackedGimbalIsTuned()
@@ -77,6 +88,8 @@ void TestGuide::anUnpackedGimbalIsTuned()
             world(u"hand=3"_s);
         else if (progress.step == u"setup-tilt-level"_s)
             world(u"hand=1"_s);
+        else if (progress.step.startsWith(u"setup-stick-"_s))
+            moveSticks(progress);
     });
     QCOMPARE(page().list()->count(), int(kSetupSteps));
     QCOMPARE(page().chosen(), SetupStep::Power);
@@ -115,8 +128,20 @@ void TestGuide::anUnpackedGimbalIsTuned()
     page().choose(SetupStep::Limits);
     world(u"hand=2"_s);
     QCOMPARE(doIt(), State::Done);
+    world(u"hand=1"_s);
+    page().choose(SetupStep::Remote);
+    QVERIFY(page().remote()->isVisible());
+    QTRY_VERIFY(std::abs(page().remote()->bars()->value(u"RC_YAW (PWM)"_s)) < 5);
+    QCOMPARE(m_rig->raw(u"rc.map.roll"_s), 2.0);
+    const State remote = doIt();
+    QVERIFY2(remote == State::Done, qPrintable(page().findings()->toPlainText()));
+    QVERIFY2(page().findings()->toPlainText().contains(u"RC_PITCH (PWM) → RC_ROLL (PWM)"_s),
+             qPrintable(page().findings()->toPlainText()));
+    QCOMPARE(m_rig->raw(u"rc.map.roll"_s), 1.0);
+    QCOMPARE(m_rig->raw(u"rc.yaw.inverted"_s), 0.0);
     world(u"hand=0"_s);
     page().choose(SetupStep::Use);
+    QVERIFY(!page().remote()->isVisible());
     QCOMPARE(doIt(), State::Open);  // shown
     QVERIFY(page().findings()->toPlainText().contains(u"→"_s));
     page().form()->setText(u"apply"_s, u"on"_s);
@@ -303,6 +328,16 @@ void TestGuide::aFailureIsToldAndKept()
              qPrintable(page().findings()->toPlainText()));
     world(u"battery=12.3"_s);
     QCOMPARE(doIt(), State::Done);
+}
+
+void TestGuide::withoutARemoteControlItSaysSo()
+{
+    QVERIFY(m_rig->open(u"sim:simplebgc?firmware=2.70.4"_s));
+    page().choose(SetupStep::Remote);
+    QCOMPARE(doIt(), State::Failed);
+    QVERIFY2(page().findings()->toPlainText().contains(u"no input has a signal"_s, Qt::CaseInsensitive),
+             qPrintable(page().findings()->toPlainText()));
+    QCOMPARE(m_rig->raw(u"rc.map.roll"_s), 1.0);
 }
 
 QTEST_MAIN(TestGuide)

@@ -8,6 +8,7 @@
 #include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/parameterform.h"
+#include "widgets/views/inputbars.h"
 
 #include <QComboBox>
 #include <QPushButton>
@@ -27,6 +28,7 @@ private slots:
     void cleanup() { m_rig.reset(); }
     void stickIsSeen_data();
     void stickIsSeen();
+    void theStickThatMovesIsSeen();
     void channelsAreAModeOfControl();
     void answersAreWords();
 
@@ -94,6 +96,23 @@ void TestSignals::stickIsSeen()
     map(u"slot.trigger2.source"_s, 0);
     map(u"slot.analog3.source"_s, 0);
     QTRY_VERIFY(page->effect(u"analog3"_s).isEmpty());
+}
+
+// Beside the map, whether something is mapped to it or not.
+void TestSignals::theStickThatMovesIsSeen()
+{
+    QVERIFY(m_rig->open(u"sim:simplebgc?firmware=2.70.4"_s));
+    map(u"rc.input_mode"_s, 2);
+    const auto *bars = m_rig->page<SignalsPage>()->inputs();
+    QVERIFY(std::isnan(bars->value(u"RC channel 4"_s)));
+    m_rig->workspace().changeWorld(u"receiver=3"_s);
+    QTRY_VERIFY(std::abs(bars->value(u"RC channel 4"_s)) < 5);
+    m_rig->workspace().changeWorld(u"stick=5"_s);
+    QTRY_VERIFY(bars->isMoving(u"RC channel 4"_s));
+    QVERIFY(!bars->isMoving(u"RC channel 1"_s));
+    QTRY_VERIFY(std::abs(bars->value(u"RC channel 4"_s) - 96) < 3);
+    m_rig->workspace().changeWorld(u"receiver=0"_s);
+    QTRY_VERIFY(std::isnan(bars->value(u"RC channel 4"_s)));
 }
 
 void TestSignals::channelsAreAModeOfControl()

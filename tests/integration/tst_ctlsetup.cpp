@@ -31,6 +31,38 @@ private:
             .finish(4 * kPatience);
     }
 
+    /// The step “Remote control”, with sticks that are moved as it is told.
+    Run moveSticks(SimProcess &gimbal)
+    {
+        constexpr std::array kTold{std::pair("Let go", 0),      std::pair("let go of", 0),
+                                   std::pair("Roll: move", 1),  std::pair("the stick for roll", 1),
+                                   std::pair("Pitch: move", 3), std::pair("the stick for pitch", 3),
+                                   std::pair("Yaw: move", 5),   std::pair("the stick for yaw", 5),
+                                   std::pair("moves: now", -1)};
+        Running running(
+            m_dir->path(),
+            {u"--link"_s, gimbal.address(), u"--json"_s, u"setup"_s, u"remote"_s, u"--confirmed"_s});
+        qsizetype last = -1;
+        int stick = 0;
+        const auto obey = [&] {
+            const QString told = running.told();
+            const qsizetype before = last;
+            int wanted = stick;
+            for (const auto &[words, which] : kTold) {
+                const qsizetype at = told.lastIndexOf(QLatin1String(words));
+                if (at > last) {
+                    last = at;
+                    wanted = which < 0 ? stick + stick % 2 : which;
+                }
+            }
+            if (last > before && std::exchange(stick, wanted) != wanted)
+                gimbal.process().write("stick=" + QByteArray::number(stick) + "\n");
+            return !running.isRunning();
+        };
+        std::ignore = QTest::qWaitFor(obey, 4 * kPatience);
+        return running.finish();
+    }
+
     std::unique_ptr<QTemporaryDir> m_dir;
 };
 
@@ -112,6 +144,11 @@ void TestCtlSetup::anUnpackedGimbalIsTuned()
     QVERIFY2(gains.exitCode == 0 || gains.out.contains(u"gains.shakes"_s), qPrintable(gains.out + gains.err));
     world("hand=2");
     QVERIFY(step({u"limits"_s, u"--confirmed"_s}, u"done"_s));
+    world("hand=1");
+    ++commands;
+    const Run sticks = moveSticks(gimbal);
+    QVERIFY2(sticks.exitCode == 0 && sticks.out.contains(u"remote.set"_s),
+             qPrintable(sticks.out + sticks.err));
     world("hand=0");
     QVERIFY(step({u"use"_s, u"use=handheld"_s, u"apply=on"_s}, u"done"_s));
     QVERIFY(step({u"vibration"_s, u"--skip"_s}, u"skipped"_s));

@@ -4,6 +4,7 @@
 
 #include "protocol/guide/setupguide.h"
 #include "protocol/telemetry/telemetryplan.h"
+#include "tests/support/sticks.h"
 #include "tests/support/virtualboard.h"
 
 #include <QTemporaryDir>
@@ -11,8 +12,8 @@
 /// A gimbal and hands that do what they are told, in virtual time.
 struct SetupBench
 {
-    explicit SetupBench(bool isNew = true, const Faults &faults = {})
-        : board(unpacked(isNew, faults))
+    explicit SetupBench(bool isNew = true, const Faults &faults = {}, int firmware = 0)
+        : board(unpacked(isNew, faults, firmware))
         , history(dir.path())
     {
         if (!board.identify())
@@ -36,14 +37,22 @@ struct SetupBench
             hand(3);
         else if (progress.step == QStringLiteral("setup-tilt-right"))
             hand(4);
+        else if (progress.step.startsWith(QStringLiteral("setup-stick-")))
+            stick(stickFor(progress, m_stick));
     }
-    static SimulatorOptions unpacked(bool isNew, const Faults &faults)
+    void stick(int which)
     {
-        SimulatorOptions options;
+        if (std::exchange(m_stick, which) != which)
+            world(QStringLiteral("stick=%1").arg(which));
+    }
+    static SimulatorOptions unpacked(bool isNew, const Faults &faults, int firmware)
+    {
+        SimulatorOptions options = withFirmware(firmware);
         options.faults = faults;
         if (isNew) {
             options.own[QStringLiteral("condition")] = 1;
             options.faults.imbalance = 500;
+            options.faults.receiver = 1;
         }
         return options;
     }
@@ -79,6 +88,9 @@ struct SetupBench
     std::unique_ptr<TelemetryStore> store;
     std::shared_ptr<TelemetryDecoder> decoder;
     SetupRecord record;
+
+private:
+    int m_stick = 0;
 };
 
 /// How it ended, for a test that fails.

@@ -50,6 +50,8 @@ const std::vector<Moment> &moments()
         {"vibration"_L1, "setup-measure"_L1, {Idle}},
         {"vibration"_L1, "measure-after"_L1, {WriteBreaks, Idle}},
         {"limits"_L1, "setup-move"_L1},
+        {"remote"_L1, "setup-stick-roll"_L1},
+        {"remote"_L1, "setup-stick-check"_L1, {WritesUnheard, WriteBreaks}},
     };
     return all;
 }
@@ -114,7 +116,13 @@ void TestSetupFaults::aFaultEndsAStep()
         world.mount = 2;  // so that it has something to write
     if (at.step == "vibration"_L1)
         world.shake = 0.3;
+    if (at.step == "remote"_L1)
+        world.receiver = 1;
     SetupBench bench(at.step == "motors"_L1, world);
+    if (at.step == "remote"_L1) {
+        bench.board.board().store(u"rc.map.roll"_s, 0, 2);
+        bench.board.board().store(u"rc.map.pitch"_s, 0, 1);
+    }
     if (at.step == "motors"_L1) {
         bench.knowSensor();
         bench.world(u"imbalance=5"_s);

@@ -104,6 +104,14 @@ void TestSetupGuide::anUnpackedGimbalIsTuned()
     const double high = *result->figure(u"highest.pitch"_s);
     QVERIFY2(high > 70 && high < 85, qPrintable(QString::number(high)));
     QCOMPARE(bench.stored(u"rc.pitch.max_angle"_s), int(high));
+    bench.hand(1);
+
+    result = bench.run("remote");
+    QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
+    QCOMPARE(bench.stored(u"rc.map.roll"_s), 1);
+    QCOMPARE(bench.stored(u"rc.map.pitch"_s), 2);
+    QCOMPARE(bench.stored(u"rc.yaw.inverted"_s), 0);
+    QVERIFY(!result->snapshot.isEmpty());
     bench.hand(0);
 
     result = bench.run("use", {{u"use"_s, u"drone"_s}});
@@ -418,7 +426,8 @@ void TestSetupGuide::aCertificateSaysAll()
     bench.record.set(SetupStep::Gyroscope, failed);
     const QString page = setupCertificate(
         bench.record, stepsOf(bench.board.device), [](const char *text) { return QString::fromUtf8(text); },
-        [](const QString &key) { return u"named "_s + key; }, u"simulated"_s);
+        [](const QString &key) { return u"named "_s + key; },
+        setupValueNames(bench.board.device.parameters()), u"simulated"_s);
     for (const QString &part : {u"2.59"_s, u"Battery: done"_s, u"10.50 V ← 14.00"_s, u"Gyroscope: failed"_s,
                                 u"&lt;shaken&gt;"_s, u"Balance: not done"_s, u"named battery.alarm"_s,
                                 u"simulated"_s, bench.board.device.identity().serial})

@@ -37,6 +37,14 @@ struct StepWords
     bool counts = false;  // %1: how often it is done so far
 };
 
+QString stickName(const QString &function)
+{
+    return function == u"roll"_s ? ProgressWords::tr("the stick for roll")
+        : function == u"pitch"_s ? ProgressWords::tr("the stick for pitch")
+        : function == u"yaw"_s   ? ProgressWords::tr("the stick for yaw")
+                                 : ProgressWords::tr("the switch for commands");
+}
+
 // clang-format off
 constexpr StepWords kStepWords[] = {
     {"probe", QT_TRANSLATE_NOOP("ErrorText", "Looking for a board at %1")},
@@ -52,6 +60,15 @@ constexpr StepWords kStepWords[] = {
     {"setup-tilt-right", QT_TRANSLATE_NOOP("ErrorText", "Tilt the right side of the camera down by about 45° and hold it there")},
     {"setup-tilt-down", QT_TRANSLATE_NOOP("ErrorText", "Tilt the nose of the camera down by about 45° and hold it there")},
     {"setup-move", QT_TRANSLATE_NOOP("ErrorText", "Move the camera slowly as far as it may go, each axis both ways")},
+    {"setup-stick-roll", QT_TRANSLATE_NOOP("ErrorText", "Roll: move its stick to the end at which the camera is to tip to the right, and hold it there")},
+    {"setup-stick-pitch", QT_TRANSLATE_NOOP("ErrorText", "Pitch: move its stick to the end at which the camera is to look down, and hold it there")},
+    {"setup-stick-yaw", QT_TRANSLATE_NOOP("ErrorText", "Yaw: move its stick to the end at which the camera is to turn to the right, and hold it there")},
+    {"setup-stick-command", QT_TRANSLATE_NOOP("ErrorText", "Commands: move their switch to another position and leave it there")},
+    {"setup-stick-back", QT_TRANSLATE_NOOP("ErrorText", "%1 moves: now to the other end, and hold it there")},
+    {"setup-stick-again", QT_TRANSLATE_NOOP("ErrorText", "Two moved: let go of both, then move one alone")},
+    {"setup-stick-taken", QT_TRANSLATE_NOOP("ErrorText", "That one steers something else already: let go, then move another one")},
+    {"setup-stick-check", QT_TRANSLATE_NOOP("ErrorText", "Does the board follow? Move %1 to an end once more")},
+    {"setup-stick-rest", QT_TRANSLATE_NOOP("ErrorText", "Let go of all sticks")},
     {"setup-run", QT_TRANSLATE_NOOP("ErrorText", "The motors run: watching whether an axis runs away")},
     {"setup-measure", QT_TRANSLATE_NOOP("ErrorText", "Measuring")},
     {"calibrate-motors", QT_TRANSLATE_NOOP("ErrorText", "The board turns the motors and measures them")},
@@ -88,7 +105,10 @@ constexpr StepWords kStepWords[] = {
 
 QString describe(const Progress &progress)
 {
-    const QString part = subjectText(progress.subject);
+    const QString part = progress.step == u"setup-stick-check"_s ? stickName(progress.subject)
+        : progress.step == u"setup-stick-back"_s
+        ? QCoreApplication::translate("Tables", progress.subject.toUtf8().constData())
+        : subjectText(progress.subject);
     const QString subject = progress.profile < 0
         ? part
         : ProgressWords::tr("%1 of profile %2").arg(part).arg(progress.profile + 1);

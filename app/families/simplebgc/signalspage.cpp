@@ -10,6 +10,7 @@
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/views/card.h"
+#include "widgets/views/inputbars.h"
 #include "widgets/views/stickbar.h"
 
 #include <QGridLayout>
@@ -25,6 +26,7 @@ namespace {
 
 constexpr auto kAsk = 200ms;
 constexpr int kFormWidth = 900;
+constexpr int kBesideEms = 60;  // of width, and the inputs stand beside the map
 constexpr int kInputsSince = 2600;  // READ_RC_INPUTS (errata 2)
 constexpr double kMiddle = 1500;  // of the inputs as telemetry reports them
 constexpr double kWay = 500;
@@ -46,17 +48,16 @@ QString slotName(const QString &key)
 SignalsPage::SignalsPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"signals"_s, tr("Signals"), parent)
     , m_form(new ParameterForm(workspace.configuration(), workspace.edits()))
+    , m_inputs(new InputBars(workspace.theme()))
+    , m_map(new QBoxLayout(QBoxLayout::TopToBottom))
     , m_live(new QGridLayout)
     , m_note(new QLabel)
 {
-    auto *map = new Card(tr("What is steered by which input"));
-    m_form->setMaximumWidth(kFormWidth);
-    map->content()->addWidget(m_form);
     auto *cards = new QWidget;
     auto *column = new QVBoxLayout(cards);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(12);
-    column->addWidget(map);
+    column->addWidget(makeMap());
     column->addWidget(makeLive());
     column->addStretch(1);
     auto *scroll = new QScrollArea;
@@ -70,9 +71,39 @@ SignalsPage::SignalsPage(Workspace &workspace, QWidget *parent)
     onState();
 }
 
+QWidget *SignalsPage::makeMap()
+{
+    auto *map = new Card(tr("What is steered by which input"));
+    m_form->setMaximumWidth(kFormWidth);
+    map->content()->addWidget(m_form);
+    map->content()->addStretch(1);
+    auto *inputs = new Card(tr("All inputs"));
+    auto *note = new QLabel(tr("Move a stick: the input whose bar moves is the one to choose."));
+    note->setObjectName(u"muted"_s);
+    note->setWordWrap(true);
+    inputs->content()->addWidget(note);
+    inputs->content()->addWidget(m_inputs);
+    inputs->content()->addStretch(1);
+    coverWhenStale(*m_inputs, {});
+    auto *row = new QWidget;
+    row->setLayout(m_map);
+    m_map->setContentsMargins(0, 0, 0, 0);
+    m_map->setSpacing(12);
+    m_map->addWidget(map, 1);
+    m_map->addWidget(inputs, 1);
+    return row;
+}
+
+void SignalsPage::resizeEvent(QResizeEvent *event)
+{
+    Page::resizeEvent(event);
+    const bool isWide = width() > kBesideEms * fontMetrics().horizontalAdvance(u'm');
+    m_map->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+}
+
 QWidget *SignalsPage::makeLive()
 {
-    auto *live = new Card(tr("What comes in now"));
+    auto *live = new Card(tr("What the functions get now"));
     m_note->setWordWrap(true);
     m_note->setObjectName(u"muted"_s);
     m_live->setHorizontalSpacing(12);
@@ -156,6 +187,7 @@ void SignalsPage::ask()
         perform("signals", &SignalsPage::showSignals);
     else
         showSignals({});
+    perform("inputs", &SignalsPage::showInputs);
     perform("slots.read", &SignalsPage::showSlots);
 }
 
@@ -176,6 +208,11 @@ void SignalsPage::showSignals(const ActionReply &told)
         if (m_rows.count(key) > 0)
             showRow(key, {}, isAsked ? told.value(key) : reported(i), {});
     }
+}
+
+void SignalsPage::showInputs(const ActionReply &told)
+{
+    m_inputs->setInputs(told);
 }
 
 void SignalsPage::showSlots(const ActionReply &told)

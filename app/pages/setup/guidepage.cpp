@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/setup/guidepage.h"
 
+#include "app/pages/setup/stickinputs.h"
 #include "app/workspace/question.h"
 #include "app/workspace/wizardparts.h"
 #include "protocol/base/filefault.h"
@@ -13,6 +14,7 @@
 #include "widgets/models/errortext.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
+#include "widgets/views/inputbars.h"
 
 #include <QBuffer>
 #include <QCheckBox>
@@ -55,6 +57,15 @@ QString markOf(SetupResult::State state)
     return u"○"_s;
 }
 
+SetupValueWords valueWords(const std::shared_ptr<const ParameterSet> &parameters)
+{
+    return [parameters](const QString &key, const QString &value) {
+        const ParameterSpec *spec = parameters ? parameters->find(key) : nullptr;
+        const auto raw = spec ? spec->parse(value) : std::nullopt;
+        return raw ? parameterValueText(*spec, *raw) : value;
+    };
+}
+
 }  // namespace
 
 GuidePage::GuidePage(Workspace &workspace, QWidget *parent)
@@ -76,6 +87,7 @@ GuidePage::GuidePage(Workspace &workspace, QWidget *parent)
     , m_progress(new QProgressBar)
     , m_findings(new QTextBrowser)
     , m_hands(new SimulatedHands(workspace, this))
+    , m_remote(new StickInputs(workspace))
 {
     header()->addWidget(m_forget);
     header()->addWidget(m_certificate);
@@ -101,6 +113,7 @@ GuidePage::GuidePage(Workspace &workspace, QWidget *parent)
     right->setContentsMargins(0, 0, 0, 0);
     right->setSpacing(12);
     right->addWidget(makeStep());
+    right->addWidget(m_remote);
     right->addWidget(m_findings, 1);
     right->addWidget(m_hands);
     auto *row = new QHBoxLayout;
@@ -138,6 +151,9 @@ GuidePage::GuidePage(Workspace &workspace, QWidget *parent)
     connect(&workspace.live(), &LiveModel::heldChanged, this, &GuidePage::updateButtons);
     connect(&workspace, &Workspace::guidedChanged, this, &GuidePage::updateButtons);
     connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &GuidePage::compare);
+    refreshWhileShown(
+        StickInputs::kAsk, [this] { m_remote->ask(); },
+        [this] { return m_remote->isHidden() || m_running || !this->workspace().client().isConnected(); });
     load();
 }
 
@@ -280,6 +296,7 @@ void GuidePage::showStep()
     const QString page = pageTitle(QLatin1String(spec.elsewhere));
     m_elsewhere->setText(tr("More about it: %1…").arg(page));
     m_elsewhere->setVisible(!page.isEmpty());
+    m_remote->setVisible(m_chosen == SetupStep::Remote);
     showFindings();
     updateButtons();
 }
@@ -292,6 +309,7 @@ QString GuidePage::pageTitle(const QString &key)
         : key == u"actions"_s     ? tr("Actions")
         : key == u"autotune"_s    ? tr("Auto-tune")
         : key == u"spectrum"_s    ? tr("Spectrum")
+        : key == u"signals"_s     ? tr("Signals")
                                   : QString();
 }
 
@@ -319,7 +337,7 @@ void GuidePage::showFindings()
     const auto parameters = workspace().tables() ? workspace().tables()->parameters() : nullptr;
     for (const SetupChange &change : result.changes) {
         const ParameterSpec *spec = parameters ? parameters->find(change.key) : nullptr;
-        add(spec ? parameterLabel(*spec) : change.key, u"%1 → %2"_s.arg(change.from, change.to));
+        add(spec ? parameterLabel(*spec) : change.key, setupChangeText(change, valueWords(parameters)));
     }
     html += u"</table>"_s;
     if (!result.snapshot.isEmpty())
@@ -478,7 +496,10 @@ void GuidePage::onProgress(const Progress &progress)
 {
     if (!m_running)
         return;
+    m_asks = progress;
     m_doing->setText(describe(progress));
+    if (!progress.values.isEmpty())
+        m_remote->bars()->setValues(progress.values);
     if (progress.total > 0)
         m_progress->setValue(100 * progress.done / progress.total);
 }
@@ -490,7 +511,7 @@ Result<void> GuidePage::saveCertificate(const QString &path) const
         const ParameterSpec *spec = parameters ? parameters->find(key) : nullptr;
         return spec ? parameterLabel(*spec) : key;
     };
-    const QString page = setupCertificate(m_record, m_steps, wordsOf, labelOf,
+    const QString page = setupCertificate(m_record, m_steps, wordsOf, labelOf, valueWords(parameters),
                                           workspace().isSimulated() ? tr("A simulated gimbal.") : QString());
     if (!path.endsWith(u".pdf"_s, Qt::CaseInsensitive))
         return writeWhole(path, page.toUtf8());

@@ -13,6 +13,7 @@ class QProgressBar;
 class QPushButton;
 class QTextBrowser;
 class SimulatedHands;
+class StickInputs;
 
 /// Leads from an unpacked gimbal to a tuned one: the steps, how far they have come, and one of them at a
 /// time. What was found is kept with the board's history, so that the way can be gone on with on another day.
@@ -39,6 +40,9 @@ public:
     [[nodiscard]] QCheckBox *confirmBox() const { return m_confirm; }
     [[nodiscard]] ArgumentForm *form() const { return m_form; }
     [[nodiscard]] QTextBrowser *findings() const { return m_findings; }
+    /// What the step that runs asks for.
+    [[nodiscard]] const Progress &asks() const { return m_asks; }
+    [[nodiscard]] StickInputs *remote() const { return m_remote; }
     /// Writes the certificate; a name that ends in .pdf gets that, all others HTML. Errors: BadFile.
     Result<void> saveCertificate(const QString &path) const;
 
@@ -83,9 +87,11 @@ private:
     QProgressBar *m_progress;
     QTextBrowser *m_findings;
     SimulatedHands *m_hands;
+    StickInputs *m_remote;
     std::vector<SetupStep> m_steps;
     SetupStep m_chosen = SetupStep::Power;
     std::optional<SetupStep> m_running;
+    Progress m_asks;
     SetupRecord m_record;
     QString m_board;  // whose record it is
 };
