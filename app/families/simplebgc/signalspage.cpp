@@ -26,7 +26,7 @@ namespace {
 
 constexpr auto kAsk = 200ms;
 constexpr int kFormWidth = 900;
-constexpr int kBesideEms = 60;  // of width, and the inputs stand beside the map
+constexpr int kBesideEms = 80;  // of width, and the inputs stand beside the map
 constexpr int kInputsSince = 2600;  // READ_RC_INPUTS (errata 2)
 constexpr double kMiddle = 1500;  // of the inputs as telemetry reports them
 constexpr double kWay = 500;
@@ -89,8 +89,8 @@ QWidget *SignalsPage::makeMap()
     row->setLayout(m_map);
     m_map->setContentsMargins(0, 0, 0, 0);
     m_map->setSpacing(12);
-    m_map->addWidget(map, 1);
-    m_map->addWidget(inputs, 1);
+    m_map->addWidget(map, 5);
+    m_map->addWidget(inputs, 2);
     return row;
 }
 
