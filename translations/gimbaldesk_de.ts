@@ -4529,6 +4529,26 @@
         <source>these bytes are not one whole message</source>
         <translation>diese Bytes sind nicht eine ganze Nachricht</translation>
     </message>
+    <message>
+        <source>no input has a signal: switch the transmitter on, and see that its receiver is connected and of the kind that is set</source>
+        <translation>kein Eingang hat ein Signal: den Sender einschalten, und prüfen, ob sein Empfänger angeschlossen und von der Art ist, die eingestellt ist</translation>
+    </message>
+    <message>
+        <source>no input alone moved clearly for a minute: the transmitter is off, its receiver is not connected, or the board does not look at that input</source>
+        <translation>eine Minute lang hat sich kein einzelner Eingang deutlich bewegt: der Sender ist aus, sein Empfänger ist nicht angeschlossen, oder das Board achtet nicht auf diesen Eingang</translation>
+    </message>
+    <message>
+        <source>the motors were switched on meanwhile, as a stick or a switch can command: they are stopped</source>
+        <translation>die Motoren wurden inzwischen eingeschaltet, wie es ein Knüppel oder Schalter befehlen kann: sie sind gestoppt</translation>
+    </message>
+    <message>
+        <source>every stick is left out: choose one at least</source>
+        <translation>alle Knüppel sind ausgelassen: mindestens einen wählen</translation>
+    </message>
+    <message>
+        <source>the board&apos;s own signal of %1 does not follow the stick</source>
+        <translation>das eigene Signal des Boards für %1 folgt dem Knüppel nicht</translation>
+    </message>
 </context>
 <context>
     <name>ErrorText</name>
@@ -5409,6 +5429,58 @@
     <message>
         <source>Tilt the nose of the camera down by about 45° and hold it there</source>
         <translation>Die Nase der Kamera um etwa 45° nach unten neigen und so halten</translation>
+    </message>
+    <message>
+        <source>the stick for roll</source>
+        <translation>den Knüppel für Roll</translation>
+    </message>
+    <message>
+        <source>the stick for pitch</source>
+        <translation>den Knüppel für Pitch</translation>
+    </message>
+    <message>
+        <source>the stick for yaw</source>
+        <translation>den Knüppel für Yaw</translation>
+    </message>
+    <message>
+        <source>the switch for commands</source>
+        <translation>den Schalter für Befehle</translation>
+    </message>
+    <message>
+        <source>Roll: move its stick to the end at which the camera is to tip to the right, and hold it there</source>
+        <translation>Roll: den Knüppel zu dem Anschlag bewegen, bei dem die Kamera nach rechts kippen soll, und dort halten</translation>
+    </message>
+    <message>
+        <source>Pitch: move its stick to the end at which the camera is to look down, and hold it there</source>
+        <translation>Pitch: den Knüppel zu dem Anschlag bewegen, bei dem die Kamera nach unten blicken soll, und dort halten</translation>
+    </message>
+    <message>
+        <source>Yaw: move its stick to the end at which the camera is to turn to the right, and hold it there</source>
+        <translation>Yaw: den Knüppel zu dem Anschlag bewegen, bei dem die Kamera sich nach rechts drehen soll, und dort halten</translation>
+    </message>
+    <message>
+        <source>Commands: move their switch to another position and leave it there</source>
+        <translation>Befehle: den Schalter in eine andere Stellung bringen und dort lassen</translation>
+    </message>
+    <message>
+        <source>%1 moves: now to the other end, and hold it there</source>
+        <translation>%1 bewegt sich: nun zum anderen Anschlag, und dort halten</translation>
+    </message>
+    <message>
+        <source>Two moved: let go of both, then move one alone</source>
+        <translation>Zwei haben sich bewegt: beide loslassen, dann einen allein bewegen</translation>
+    </message>
+    <message>
+        <source>That one steers something else already: let go, then move another one</source>
+        <translation>Der steuert schon etwas anderes: loslassen, dann einen anderen bewegen</translation>
+    </message>
+    <message>
+        <source>Does the board follow? Move %1 to an end once more</source>
+        <translation>Folgt das Board? Noch einmal %1 zu einem Anschlag bewegen</translation>
+    </message>
+    <message>
+        <source>Let go of all sticks</source>
+        <translation>Alle Knüppel loslassen</translation>
     </message>
 </context>
 <context>
@@ -6896,6 +6968,10 @@
         <source>camera: nose down</source>
         <translation>Kamera: Nase nach unten</translation>
     </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
 </context>
 <context>
     <name>HelpCard</name>
@@ -6966,6 +7042,17 @@
     <message>
         <source>Help text</source>
         <translation>Hilfetext</translation>
+    </message>
+</context>
+<context>
+    <name>InputBars</name>
+    <message>
+        <source>No input has a signal.</source>
+        <translation>Kein Eingang hat ein Signal.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>
@@ -10515,10 +10602,6 @@ dieses zeigen.</translation>
         <translation>Was welcher Eingang steuert</translation>
     </message>
     <message>
-        <source>What comes in now</source>
-        <translation>Was jetzt ankommt</translation>
-    </message>
-    <message>
         <source>sets %1</source>
         <translation>stellt %1</translation>
     </message>
@@ -10537,6 +10620,18 @@ dieses zeigen.</translation>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>All inputs</source>
+        <translation>Alle Eingänge</translation>
+    </message>
+    <message>
+        <source>Move a stick: the input whose bar moves is the one to choose.</source>
+        <translation>Einen Knüppel bewegen: der Eingang, dessen Balken sich bewegt, ist der richtige.</translation>
+    </message>
+    <message>
+        <source>What the functions get now</source>
+        <translation>Was die Funktionen jetzt bekommen</translation>
     </message>
 </context>
 <context>
@@ -10949,6 +11044,77 @@ Spitze %2°</translation>
     <message>
         <source>weak link</source>
         <translation>schwache Verbindung</translation>
+    </message>
+</context>
+<context>
+    <name>StickInputs</name>
+    <message>
+        <source>What comes in now</source>
+        <translation>Was jetzt ankommt</translation>
+    </message>
+    <message>
+        <source>Simulated remote control</source>
+        <translation>Simulierte Fernsteuerung</translation>
+    </message>
+    <message>
+        <source>Receiver at the board</source>
+        <translation>Empfänger am Board</translation>
+    </message>
+    <message>
+        <source>receiver: none</source>
+        <translation>Empfänger: keiner</translation>
+    </message>
+    <message>
+        <source>receiver: a wire for each channel</source>
+        <translation>Empfänger: ein Kabel für jeden Kanal</translation>
+    </message>
+    <message>
+        <source>receiver: S-bus</source>
+        <translation>Empfänger: S-Bus</translation>
+    </message>
+    <message>
+        <source>Which stick is held at an end</source>
+        <translation>Welcher Knüppel am Anschlag gehalten wird</translation>
+    </message>
+    <message>
+        <source>sticks: let go</source>
+        <translation>Knüppel: losgelassen</translation>
+    </message>
+    <message>
+        <source>roll stick: right</source>
+        <translation>Roll-Knüppel: rechts</translation>
+    </message>
+    <message>
+        <source>roll stick: left</source>
+        <translation>Roll-Knüppel: links</translation>
+    </message>
+    <message>
+        <source>pitch stick: down</source>
+        <translation>Pitch-Knüppel: nach unten</translation>
+    </message>
+    <message>
+        <source>pitch stick: up</source>
+        <translation>Pitch-Knüppel: nach oben</translation>
+    </message>
+    <message>
+        <source>yaw stick: right</source>
+        <translation>Yaw-Knüppel: rechts</translation>
+    </message>
+    <message>
+        <source>yaw stick: left</source>
+        <translation>Yaw-Knüppel: links</translation>
+    </message>
+    <message>
+        <source>switch: up</source>
+        <translation>Schalter: oben</translation>
+    </message>
+    <message>
+        <source>switch: down</source>
+        <translation>Schalter: unten</translation>
+    </message>
+    <message>
+        <source>roll and pitch stick at once</source>
+        <translation>Roll- und Pitch-Knüppel zugleich</translation>
     </message>
 </context>
 <context>
@@ -20923,6 +21089,78 @@ Spitze %2°</translation>
     <message>
         <source>Speed of the port. That it is coded like the other serial speeds is likely, but no document tells it.</source>
         <translation>Geschwindigkeit des Anschlusses. Dass sie wie die anderen seriellen Geschwindigkeiten codiert ist, ist wahrscheinlich, steht aber in keinem Dokument.</translation>
+    </message>
+    <message>
+        <source>A stick does not come back to the middle when it is let go: trim it at the transmitter.</source>
+        <translation>Ein Knüppel kommt losgelassen nicht zur Mitte zurück: am Sender trimmen.</translation>
+    </message>
+    <message>
+        <source>A stick for pitch</source>
+        <translation>Ein Knüppel für Pitch</translation>
+    </message>
+    <message>
+        <source>A stick for roll</source>
+        <translation>Ein Knüppel für Roll</translation>
+    </message>
+    <message>
+        <source>A stick for yaw</source>
+        <translation>Ein Knüppel für Yaw</translation>
+    </message>
+    <message>
+        <source>A stick reaches less than 80 % of its way: widen its travel at the transmitter.</source>
+        <translation>Ein Knüppel erreicht weniger als 80 % seines Wegs: den Weg am Sender vergrößern.</translation>
+    </message>
+    <message>
+        <source>A switch for commands</source>
+        <translation>Ein Schalter für Befehle</translation>
+    </message>
+    <message>
+        <source>Make inputs of pins that nothing uses</source>
+        <translation>Pins, die nichts benutzt, zu Eingängen machen</translation>
+    </message>
+    <message>
+        <source>Read inputs</source>
+        <translation>Eingänge lesen</translation>
+    </message>
+    <message>
+        <source>Something that was left out has the same input as one of them: map it otherwise, or to none.</source>
+        <translation>Etwas Ausgelassenes hat denselben Eingang wie einer davon: anders oder gar nicht zuordnen.</translation>
+    </message>
+    <message>
+        <source>Stick at its lower end</source>
+        <translation>Knüppel am unteren Anschlag</translation>
+    </message>
+    <message>
+        <source>Stick at its upper end</source>
+        <translation>Knüppel am oberen Anschlag</translation>
+    </message>
+    <message>
+        <source>Stick let go</source>
+        <translation>Knüppel losgelassen</translation>
+    </message>
+    <message>
+        <source>Switches the motors off and has you move one stick after the other: finds the input that it moves, its direction and its ends. The map is written, and kept only where the board&apos;s own signal follows the stick.</source>
+        <translation>Schaltet die Motoren aus und lässt Sie einen Knüppel nach dem anderen bewegen: findet den Eingang, den er bewegt, seine Richtung und seine Anschläge. Die Zuordnung wird geschrieben und nur behalten, wenn das eigene Signal des Boards dem Knüppel folgt.</translation>
+    </message>
+    <message>
+        <source>The motors are off. In angle mode the camera turns to where the sticks stand when they are switched on.</source>
+        <translation>Die Motoren sind aus. In der Betriebsart Winkel dreht sich die Kamera beim Einschalten dorthin, wo die Knüppel stehen.</translation>
+    </message>
+    <message>
+        <source>The sticks are mapped, and the board follows them.</source>
+        <translation>Die Knüppel sind zugeordnet, und das Board folgt ihnen.</translation>
+    </message>
+    <message>
+        <source>They were mapped so already, and the board follows them.</source>
+        <translation>Sie waren schon so zugeordnet, und das Board folgt ihnen.</translation>
+    </message>
+    <message>
+        <source>Transmitter and receiver are on. What is moved by no stick is left out below; without a remote control, leave out the step.</source>
+        <translation>Sender und Empfänger sind an. Was kein Knüppel bewegt, wird unten ausgelassen; ohne Fernsteuerung den Schritt auslassen.</translation>
+    </message>
+    <message>
+        <source>What comes in at all inputs, whether a function is mapped to them or not. Firmware before 2.60 tells of those alone that have one.</source>
+        <translation>Was an allen Eingängen ankommt, ob ihnen eine Funktion zugeordnet ist oder nicht. Firmware vor 2.60 meldet nur die, die eine haben.</translation>
     </message>
 </context>
 <context>
