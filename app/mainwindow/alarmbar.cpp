@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/alarmbar.h"
 
-#include "app/mainwindow/clickshield.h"
 #include "app/workspace/alarms.h"
+#include "widgets/forms/clickshield.h"
 #include "widgets/models/alarmtext.h"
 #include "widgets/theme/theme.h"
 

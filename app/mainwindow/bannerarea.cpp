@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bannerarea.h"
 
-#include "app/mainwindow/clickshield.h"
+#include "widgets/forms/clickshield.h"
 #include "widgets/theme/theme.h"
 #include "widgets/views/armedstate.h"
 #include "widgets/views/controlpad.h"

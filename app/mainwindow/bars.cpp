@@ -8,6 +8,7 @@
 #include "protocol/session/linkstatistics.h"
 #include "protocol/telemetry/telemetryplan.h"
 #include "protocol/telemetry/telemetrystore.h"
+#include "widgets/forms/clickshield.h"
 #include "widgets/forms/numberbox.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
@@ -55,17 +56,23 @@ OfferBar::OfferBar(QWidget *parent)
     hide();
 }
 
+// What moves or destroys something never waits unseen behind another question.
 void OfferBar::ask(const Offer &offer)
 {
     const auto known = std::find_if(m_offers.begin(), m_offers.end(), [&offer](const Offer &each) {
         return offer.topic != Topic::None && each.topic == offer.topic;
     });
-    const bool isNew = known == m_offers.end();
-    const bool isFirst = m_offers.isEmpty() || known == m_offers.begin() || (isNew && offer.isUrgent);
-    if (isNew)
-        m_offers.insert(offer.isUrgent ? 0 : m_offers.size(), offer);
-    else
+    const bool isUrgent = offer.isUrgent
+        || std::any_of(offer.choices.begin(), offer.choices.end(),
+                       [](const auto &choice) { return choice.loses; });
+    const bool isFirst = m_offers.isEmpty() || known == m_offers.begin() || isUrgent;
+    if (known != m_offers.end() && !isUrgent) {
         *known = offer;
+    } else {
+        if (known != m_offers.end())
+            m_offers.erase(known);
+        m_offers.insert(isUrgent ? 0 : m_offers.size(), offer);
+    }
     if (isFirst)
         showFirst();
     else
@@ -113,6 +120,7 @@ void OfferBar::showFirst()
     m_fold->setChecked(false);
     setFolded(false);
     show();
+    new ClickShield(*this);
 }
 
 // It gives the page free without being answered.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/footbar.h"
 
-#include "app/mainwindow/clickshield.h"
+#include "widgets/forms/clickshield.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -315,6 +315,7 @@ void BoardWriter::offerRepair()
                                  [this, undone, finished] { answer(undone, finished); }});
     question.choices.append({tr("Leave it as it is"), [this] { forgetInterrupted(); }});
     question.topic = Topic::Write;
+    question.isUrgent = true;
     m_notifications.ask(question);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/forms/panel.h"
 
+#include "widgets/forms/clickshield.h"
 #include "widgets/forms/keyboard.h"
 #include "widgets/theme/theme.h"
 
@@ -57,9 +58,14 @@ public:
     {
         show();
         m_dialog.show();
-        place();
+        fit();
         firstFocus()->setFocus(Qt::PopupFocusReason);
+        shield();
     }
+
+    /// A click or Return that comes now was meant for what was there before.
+    void shield() { new ClickShield(*m_frame); }
+    [[nodiscard]] QRect place() const { return m_frame->geometry(); }
 
     /// To what had it before the dialog; outside of this area to no button that acts, which may have got it
     /// only when what opened the dialog went.
@@ -73,7 +79,7 @@ public:
     bool eventFilter(QObject *watched, QEvent *event) override
     {
         if (event->type() == QEvent::LayoutRequest)
-            place();
+            fit();
         return QWidget::eventFilter(watched, event);
     }
 
@@ -97,11 +103,11 @@ protected:
         }
         return true;
     }
-    void resizeEvent(QResizeEvent *) override { place(); }
+    void resizeEvent(QResizeEvent *) override { fit(); }
     void paintEvent(QPaintEvent *) override { QPainter(this).fillRect(rect(), QColor(0, 0, 0, 110)); }
 
 private:
-    void place()
+    void fit()
     {
         constexpr int kAround = Metric::kGap;
         // A message box fixes its size by that of the screen, which cuts its buttons where that is small or
@@ -183,6 +189,10 @@ void PanelArea::close(Panel *panel)
     panel->deleteLater();
     update(true);
     panel->giveFocusBack();
+    if (isOpen())
+        m_panels.last()->shield();
+    else if (isVisible())
+        new ClickShield(*this, panel->place());
 }
 
 void PanelArea::update(bool wasOpen)

@@ -4,15 +4,19 @@
 
 #include <QWidget>
 
-/// Seen by nobody; takes clicks for a moment after something has gone or moved: whoever clicks then means
-/// what was there before. Lies over everything in its parent, and destroys itself.
+/// Seen by nobody; takes clicks for a moment after something has gone, moved or appeared: whoever clicks then
+/// means what was there before. Lies over everything in its parent, and destroys itself.
 class ClickShield final : public QWidget
 {
     Q_OBJECT
 public:
     ClickShield(QWidget &area, const QRect &place);
+    /// Over the whole of something that has newly appeared, which takes no Return and no space bar either.
+    explicit ClickShield(QWidget &fresh);
     /// To be called when something else was raised.
     static void raiseAll(QWidget &area);
+
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 protected:
     void mousePressEvent(QMouseEvent *) override { }
