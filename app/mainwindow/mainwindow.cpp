@@ -122,6 +122,15 @@ void MainWindow::connectFrame()
     connect(&workspace->notifications(), &Notifications::offer, m_offers, &OfferBar::ask);
     connect(&workspace->notifications(), &Notifications::offerWithdrawn, m_offers, &OfferBar::withdraw);
     connect(&workspace->notifications(), &Notifications::boardReplaced, m_offers, &OfferBar::clear);
+    Confirmations &confirmations = workspace->confirmations();
+    connect(&confirmations, &Confirmations::asked, m_panels,
+            [this, &confirmations](const Question &question, const std::function<void()> &over) {
+                const QDialog *panel = askInPanel(question, this);
+                connect(&confirmations, &Confirmations::withdrawn, panel, &QDialog::reject);
+                connect(panel, &QDialog::finished, &confirmations, over, Qt::QueuedConnection);
+            });
+    // What was asked on a page is not answered from another one.
+    connect(m_stack, &QStackedWidget::currentChanged, &confirmations, &Confirmations::withdraw);
     m_status->follow(*m_keys);
     m_keys->serve(*m_linkBar->motorsButton());
     connect(m_linkBar, &LinkBar::disconnectRequested, this, [this] {

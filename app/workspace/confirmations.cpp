@@ -2,46 +2,99 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workspace/confirmations.h"
 
+#include "protocol/telemetry/telemetrystore.h"
 #include "widgets/models/parametermodel.h"
 
+#include <QApplication>
+#include <QFontMetrics>
+
 #include <algorithm>
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
-Confirmations::Confirmations(Notifications &notifications)
-    : m_notifications(notifications)
+namespace {
+
+constexpr int kTextWidth = 360;  // of a path, which is cut in its middle
+
+}  // namespace
+
+Confirmations::Confirmations(DeviceClient &client, Notifications &notifications)
+    : m_client(client)
+    , m_notifications(notifications)
 {
+    connect(&client, &DeviceClient::statisticsChanged, this, &Confirmations::followBoard);
 }
 
-// The text of the button that proceeds states what is being confirmed.
+// What it does is said in words; the button says only that it is done.
 QFuture<Confirmations::Outcome> Confirmations::ask(const ActionSpec &action, const QVariantMap &arguments,
                                                    std::function<QFuture<Outcome>()> perform)
 {
     withdraw();
-    auto question = std::make_shared<Promise>();
-    question->start();
-    m_questions.push_back(question);
-    m_asked = question;
-    const auto goOn = [this, question, perform = std::move(perform)] {
-        if (m_asked != question)
+    auto promise = std::make_shared<Promise>();
+    promise->start();
+    m_questions.push_back(promise);
+    m_asked = promise;
+    m_action = action;
+    const auto goOn = [this, promise, perform = std::move(perform)] {
+        if (m_asked != promise)
             return;  // cancelled meanwhile
         m_asked.reset();
-        perform().then(this, [this, question](const Outcome &outcome) { answer(question, outcome); });
+        perform().then(this, [this, promise](const Outcome &outcome) { answer(promise, outcome); });
     };
-    QString label = tableText(action.label);
+    const auto over = [this, promise] {
+        if (m_asked == promise)
+            answer(promise, failure(ErrorCode::Cancelled));
+    };
+    Question question;
+    question.title = tableText(action.label);
+    QString verb = question.title;
+    QStringList said;
     for (const ArgumentSpec &argument : action.arguments) {
-        if (const QVariant value = arguments.value(QLatin1String(argument.key)); value.isValid())
-            label += u", %1 %2"_s.arg(tableText(argument.label), value.toString());
+        const QVariant value = arguments.value(QLatin1String(argument.key));
+        if (!value.isValid())
+            continue;
+        const QString text = value.toString();
+        if (argument.kind != ArgumentKind::Text) {
+            verb += u", %1 %2"_s.arg(tableText(argument.label), text);
+            continue;
+        }
+        const QFontMetrics metrics(QApplication::font());
+        said.append(u"%1: %2"_s.arg(tableText(argument.label),
+                                    metrics.elidedText(text, Qt::ElideMiddle, kTextWidth)));
+        question.whole = text;
     }
-    Offer asked;
-    asked.topic = Topic::Action;
-    asked.text = tr("“%1” has to be confirmed each time.").arg(label);
-    asked.choices.append(
-        {u"%1: %2"_s.arg(tableText(action.confirm), label), goOn, action.risk == ActionRisk::Destroys});
-    asked.choices.append(
-        {tr("Cancel"), [this, question] { answer(question, failure(ErrorCode::Cancelled)); }});
-    m_notifications.ask(asked);
-    return question->future();
+    said.append(tableText(action.help));
+    if (action.silence > 0ms)
+        said.append(tr("Nothing stops it meanwhile, neither the red button nor F12: only taking its battery "
+                       "away does."));
+    said.append(tr("Whoever goes on confirms: “%1”.").arg(tableText(action.confirm)));
+    question.text = said.join(u"\n\n"_s);
+    const bool isRed = action.risk == ActionRisk::Moves || action.risk == ActionRisk::Destroys;
+    question.answers = {{verb, goOn, isRed}};
+    question.stay = tr("Do nothing");
+    emit asked(question, over);
+    return promise->future();
+}
+
+// Armed, or its motors driven, since it was asked.
+void Confirmations::followBoard()
+{
+    const auto store = m_client.telemetry();
+    if (!m_asked || !store)
+        return;
+    const bool isOtherwise
+        = std::any_of(m_action.needs.begin(), m_action.needs.end(), [this, &store](Condition condition) {
+              const int channel = channelOf(condition, m_client.roles());
+              const double value = channel < 0 ? qQNaN() : store->latest(channel);
+              return !std::isnan(value) && (value != 0) != (condition == Condition::Calibrated);
+          });
+    if (!isOtherwise)
+        return;
+    m_notifications.notify(tr("“%1” is not asked any more: the board is not as it has to be for that.")
+                               .arg(tableText(m_action.label)),
+                           Notice::Attention);
+    withdraw();
 }
 
 void Confirmations::answer(const std::shared_ptr<Promise> &question, const Outcome &outcome)
@@ -56,9 +109,10 @@ void Confirmations::answer(const std::shared_ptr<Promise> &question, const Outco
 
 void Confirmations::withdraw()
 {
-    m_notifications.withdrawOffer(Topic::Action);
-    if (const auto question = std::exchange(m_asked, nullptr))
+    if (const auto question = std::exchange(m_asked, nullptr)) {
+        emit withdrawn();
         answer(question, failure(ErrorCode::Cancelled));
+    }
 }
 
 void Confirmations::forget()

@@ -150,6 +150,12 @@ void Workspace::setFlown(bool flown)
         m_flownAt = Clock::now();
 }
 
+void Workspace::setPropellersOn(bool on)
+{
+    if (std::exchange(m_propellersOn, on) != on)
+        m_confirmations.withdraw();
+}
+
 bool Workspace::mayStillFly() const
 {
     const auto store = m_client.telemetry();

@@ -8,7 +8,7 @@
 #include <functional>
 
 /// What a question is about: a newer one of the same topic takes its place.
-enum class Topic { None, Write, Leftover, Naming, WayOut, Board, Steering, Text, Action };
+enum class Topic { None, Write, Leftover, Naming, WayOut, Board, Steering, Text };
 
 /// A question to the operator with answers to choose from; it blocks nothing.
 struct Offer
@@ -22,5 +22,5 @@ struct Offer
     QString text;
     QList<Choice> choices;  ///< the first one is what is usually wanted
     Topic topic = Topic::None;
-    bool isUrgent = false;  ///< comes before those that wait already: something moves
+    bool isUrgent = false;  ///< comes before those that wait already: something moves, or is written
 };

@@ -34,6 +34,15 @@ QFuture<Result<ActionOutcome>> Workspace::perform(const QString &key, const QVar
         tellGuided();
         return QtFuture::makeReadyFuture(Result<ActionOutcome>(failure(ErrorCode::Cancelled)));
     }
+    if (m_propellersOn && it != actions.end() && it->risk == ActionRisk::Moves && *it->confirm) {
+        m_notifications.report(
+            {tr("“%1” is not begun: a control session is open in which the propellers are on.")
+                 .arg(tableText(it->label)),
+             tr("It turns motors, and may only do so without propellers."),
+             tr("Close the session on the page “Flight”, and take the propellers off."),
+             {}});
+        return QtFuture::makeReadyFuture(Result<ActionOutcome>(failure(ErrorCode::Cancelled)));
+    }
     if (it != actions.end() && *it->confirm)
         return m_confirmations.ask(
             *it, arguments, [this, key, arguments, quiet] { return performNow(key, arguments, quiet); });
@@ -52,6 +61,7 @@ QFuture<Result<ActionOutcome>> Workspace::performNow(const QString &key, const Q
         return QtFuture::makeReadyFuture(Result<ActionOutcome>(failure(ErrorCode::Cancelled)));
     const bool isWork = action.isProcedure || action.memory != MemoryEffect::None;
     m_works += isWork ? 1 : 0;
+    m_unstoppable = action.silence > 0ms ? &*it : m_unstoppable;
     if (action.risk != ActionRisk::Safe)
         forgetStop();
     if (action.isProcedure)
@@ -68,6 +78,8 @@ QFuture<Result<ActionOutcome>> Workspace::performNow(const QString &key, const Q
               [this, quiet, action, isWork, before = m_live.unsaved()](const Result<ActionOutcome> &outcome) {
                   if (action.isProcedure)
                       m_live.release();
+                  if (action.silence > 0ms)
+                      m_unstoppable = nullptr;
                   if (isWork)
                       endWork();
                   const Aftermath *after = outcome ? nullptr : outcome.error().after.get();

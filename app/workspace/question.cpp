@@ -37,9 +37,13 @@ QDialog *askInPanel(const Question &question, QWidget *parent)
     auto *box
         = new QMessageBox(QMessageBox::NoIcon, question.title, question.text, QMessageBox::NoButton, parent);
     box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setToolTip(question.whole);
     for (const Question::Answer &answer : question.answers) {
         const auto role = answer.loses ? QMessageBox::DestructiveRole : QMessageBox::AcceptRole;
-        QObject::connect(box->addButton(answer.text, role), &QPushButton::clicked, parent, answer.chosen);
+        QPushButton *button = box->addButton(answer.text, role);
+        if (answer.loses)
+            button->setObjectName(u"danger"_s);
+        QObject::connect(button, &QPushButton::clicked, parent, answer.chosen);
     }
     QPushButton *stay = box->addButton(question.stay, QMessageBox::RejectRole);
     box->setDefaultButton(stay);

@@ -24,6 +24,7 @@ struct Question
     QString text;
     QList<Answer> answers;
     QString stay;  ///< the way out, which is what Return and Esc do
+    QString whole{};  ///< what the text cuts short, as a tooltip
 };
 
 /// Asks in a panel of that widget's window. @return the panel, which destroys itself; whoever asks rejects

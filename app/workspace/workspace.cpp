@@ -44,7 +44,7 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     , m_leftSteering(m_client, m_notifications)
     , m_linkHealth(m_client, m_notifications)
     , m_writer(m_client, m_configuration, m_live, m_edits, m_history, m_notifications)
-    , m_confirmations(m_notifications)
+    , m_confirmations(m_client, m_notifications)
     , m_gamepad({[this](const QByteArray &key) { return m_settings.gamepad(key); },
                  [this](const QByteArray &key, const QByteArray &json) { m_settings.setGamepad(key, json); },
                  [this] {

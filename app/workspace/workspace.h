@@ -134,6 +134,11 @@ public:
     /// Something that flies is armed from here: what would need it disarmed is refused until it is.
     void setFlown(bool flown);
     [[nodiscard]] bool isFlown() const { return m_flown; }
+    /// A control session is open in which the propellers are on: nothing turns a motor from elsewhere.
+    void setPropellersOn(bool on);
+    /// What runs on the board now and ends by itself alone; null: nothing does.
+    [[nodiscard]] const ActionSpec *unstoppable() const { return m_unstoppable; }
+    [[nodiscard]] Confirmations &confirmations() { return m_confirmations; }
     /// It was armed from here, and has not said since that it is disarmed and its outputs are 0.
     [[nodiscard]] bool mayStillFly() const;
     /// True, and told, while a search, measurement or calibration runs (LiveModel::isHeld()): what is
@@ -287,6 +292,8 @@ private:
     bool m_storedKnown = false;
     bool m_guided = false;
     bool m_flown = false;
+    bool m_propellersOn = false;
+    const ActionSpec *m_unstoppable = nullptr;
     TimePoint m_flownAt{};  // last, as long as it has not been seen to stand since
     QString m_guidedSteps;  // how the keys of its actions begin
     int m_works = 0;

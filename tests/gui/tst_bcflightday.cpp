@@ -42,6 +42,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -228,19 +229,10 @@ bool TestBcflightDay::answerPanel(const QString &answer)
 
 bool TestBcflightDay::confirm(const QString &words)
 {
-    const auto first = [this] {
-        const auto buttons = window().offerBar()->buttons();
-        return buttons.isEmpty() || !window().offerBar()->isVisible() ? QString() : buttons.first()->text();
-    };
-    // What is asked beside is left for later.
-    const auto isAsked = [&] {
-        if (first().startsWith(u"Name the board"_s))
-            click(window().offerBar()->buttons().last());
-        return first().contains(words);
-    };
-    if (!QTest::qWaitFor(isAsked, kPatience))
+    const auto asked = [this] { return qobject_cast<QMessageBox *>(window().panels()->newest()); };
+    if (!QTest::qWaitFor([&] { return asked() && asked()->text().contains(words); }, kPatience))
         return false;
-    click(window().offerBar()->buttons().first());
+    click(asked()->findChild<QPushButton *>(u"danger"_s));
     return true;
 }
 

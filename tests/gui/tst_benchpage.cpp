@@ -6,6 +6,7 @@
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/linkbar.h"
 #include "app/mainwindow/messagebar.h"
+#include "app/pages/board/flightpage.h"
 #include "app/pages/watch/dashboardpage.h"
 #include "app/pages/watch/flightoverview.h"
 #include "protocol/base/filefault.h"
@@ -14,13 +15,17 @@
 #include "protocol/session/channel.h"
 #include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/clickshield.h"
 #include "widgets/forms/numberbox.h"
+#include "widgets/forms/panel.h"
 #include "widgets/views/armedstate.h"
 #include "widgets/views/attitudeview.h"
 #include "widgets/views/gimbalview.h"
 #include "widgets/views/motordiagram.h"
 
+#include <QDir>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
@@ -39,6 +44,10 @@ private slots:
     void droneIsShownAtAGlance();
     void motorIsChosenConfirmedAndTurned();
     void stopTakesTheQuestionAway();
+    void dangerIsSaidBeforeItBegins();
+    void questionGoesWithWhatItWasAskedFor();
+    void propellersInAStandKeepMotorsFromTheBench();
+    void secondClickConfirmsNothing();
     void redButtonSaysThatItIsDeaf();
     void fileIsLookedAtFirst();
     void firmwareNeedsABattery();
@@ -62,17 +71,40 @@ private:
         const auto done = m_rig->workspace().perform(u"calibrate.all"_s, {});
         return QTest::qWaitFor([&done] { return done.isFinished(); }, kPatience) && done.result().has_value();
     }
-    /// Answers the question that stands in the window by its first choice.
+    /// What is asked before something dangerous; null: nothing is.
+    QMessageBox *asked() { return qobject_cast<QMessageBox *>(m_rig->window().panels()->newest()); }
+    QPushButton *dangerousAnswer() { return asked()->findChild<QPushButton *>(u"danger"_s); }
+    /// Goes on where that has to be confirmed.
     bool confirm(const QString &words)
     {
-        const auto *offers = m_rig->window().offerBar();
-        if (!QTest::qWaitFor([&] {
-                return offers->isVisible() && !offers->buttons().isEmpty()
-                    && offers->buttons().first()->text().contains(words);
-            }))
+        if (!QTest::qWaitFor([&] { return asked() && asked()->text().contains(words); }))
             return false;
-        offers->buttons().first()->click();
+        dangerousAnswer()->click();
         return true;
+    }
+    /// A click as the window system sends it, to whatever lies there.
+    void clickAt(QPoint place)
+    {
+        QTest::mouseClick(m_rig->window().windowHandle(), Qt::LeftButton, {}, place);
+    }
+    QPoint middleOf(const QWidget *widget)
+    {
+        return widget->mapTo(&m_rig->window(), widget->rect().center());
+    }
+    bool isShielded(QPoint place)
+    {
+        return qobject_cast<ClickShield *>(m_rig->window().childAt(place)) != nullptr;
+    }
+    void armFromElsewhere()
+    {
+        m_rig->client().submit<bool>([](Channel &channel, Device &) -> Result<bool> {
+            Request request;
+            const bcflight::Controls wanted{.thrust = 0.3, .arm = true};
+            request.bytes
+                = bcflight::encode(bcflight::Message::Controls, wanted.encode(bcflight::Generation::G));
+            channel.post(request);
+            return true;
+        });
     }
     QString firmwareFile(const QString &name, qsizetype size, const QByteArray &version = "7.7")
     {
@@ -149,8 +181,8 @@ void TestBenchPage::motorIsChosenConfirmedAndTurned()
         QVERIFY(bench().isUnderWay());
         QCOMPARE(bench().deafText(), QString());
         // What is asked names the motor, and no other can be chosen meanwhile.
-        QTRY_VERIFY(!m_rig->window().offerBar()->buttons().isEmpty());
-        QVERIFY(m_rig->window().offerBar()->buttons().first()->text().contains(u"Motor 2"_s));
+        QTRY_VERIFY(asked());
+        QVERIFY(dangerousAnswer()->text().contains(u"Motor 2"_s));
         QTest::mouseClick(motors, Qt::LeftButton, {}, motors->placeOf(1).toPoint());
         QCOMPARE(motors->selected(), 2);
         QVERIFY(!number->isEnabled());
@@ -166,7 +198,7 @@ void TestBenchPage::motorIsChosenConfirmedAndTurned()
         QTRY_COMPARE(motors->outputText(2), u"stands"_s);
         QTRY_VERIFY(bench().turnButton()->isEnabled());
     }
-    m_rig->window().offerBar()->buttons().last()->click();
+    asked()->reject();
     QTRY_VERIFY(!bench().isUnderWay());
 }
 
@@ -177,11 +209,104 @@ void TestBenchPage::stopTakesTheQuestionAway()
     bench().motors()->setSelected(1);
     QTRY_VERIFY(bench().turnButton()->isEnabled());
     QTest::mouseClick(bench().turnButton(), Qt::LeftButton);
-    QTRY_VERIFY(m_rig->window().offerBar()->isVisible());
+    QTRY_VERIFY(asked());
     QVERIFY(bench().isUnderWay());
     QTest::keyClick(&m_rig->window(), Qt::Key_F12);
-    QTRY_VERIFY(!m_rig->window().offerBar()->isVisible());
+    QTRY_VERIFY(!asked());
     QVERIFY(!bench().isUnderWay());
+}
+
+// All motors at full throttle, and nothing stops them: said in words, and what is safe is chosen already.
+void TestBenchPage::dangerIsSaidBeforeItBegins()
+{
+    QVERIFY(calibrate());
+    QTRY_VERIFY(bench().escs()->startButton()->isEnabled());
+    bench().escs()->startButton()->click();
+    QTRY_VERIFY(asked());
+    for (const QString &words :
+         {u"full throttle"_s, u"26 s"_s, u"Nothing stops it"_s, u"propellers are off"_s})
+        QVERIFY2(asked()->text().contains(words), qPrintable(asked()->text()));
+    QCOMPARE(dangerousAnswer()->text(), u"Calibrate motor controllers"_s);
+    QVERIFY(asked()->defaultButton() != dangerousAnswer());
+    QTRY_VERIFY(!isShielded(middleOf(dangerousAnswer())));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    QTRY_VERIFY(!asked());
+    QTRY_VERIFY(!bench().isUnderWay());
+    QVERIFY(!m_rig->workspace().unstoppable());
+}
+
+// Neither on another page nor once the drone is armed.
+void TestBenchPage::questionGoesWithWhatItWasAskedFor()
+{
+    QVERIFY(calibrate());
+    const auto ask = [this] {
+        bench().motors()->setSelected(1);
+        return QTest::qWaitFor([this] { return bench().turnButton()->isEnabled(); }, kPatience)
+            && (bench().turnButton()->click(), asked());
+    };
+    QVERIFY(ask());
+    m_rig->page<DashboardPage>();
+    QTRY_VERIFY(!asked());
+    QVERIFY(!m_rig->workspace().isAtWork());
+    QVERIFY(ask());
+    armFromElsewhere();
+    QTRY_VERIFY_WITH_TIMEOUT(!asked(), kPatience);
+    QTRY_VERIFY(!bench().isUnderWay());
+    QVERIFY(m_rig->window().messageBar()->text().contains(u"is not asked any more"_s));
+    m_rig->workspace().setMotors(false);
+    QTRY_COMPARE_WITH_TIMEOUT(bench().findChild<ArmedState *>()->state(), State::Disarmed, kPatience);
+}
+
+void TestBenchPage::propellersInAStandKeepMotorsFromTheBench()
+{
+    QVERIFY(calibrate());
+    auto *flight = m_rig->page<FlightPage>();
+    flight->open(true);
+    auto refused = m_rig->workspace().perform(u"motor.test"_s, {{u"motor"_s, 1}});
+    QVERIFY(refused.isFinished() && !refused.result());
+    QVERIFY(!asked());
+    QVERIFY(m_rig->window().messageBar()->text().contains(u"propellers are on"_s));
+    flight->sessionButton()->click();
+    auto wanted = m_rig->workspace().perform(u"motor.test"_s, {{u"motor"_s, 1}});
+    QTRY_VERIFY(asked());
+    flight->open(true);  // however that comes about
+    QTRY_VERIFY(!asked());
+    QTRY_VERIFY(wanted.isFinished() && !wanted.result());
+}
+
+// The second click of a hurry meets what was asked behind it: nothing turns.
+void TestBenchPage::secondClickConfirmsNothing()
+{
+    QVERIFY(calibrate());
+    int restored = 0;
+    m_rig->workspace().notifications().ask({u"Restore?"_s, {{u"Restore them"_s, [&] { ++restored; }}}});
+    int next = 0;
+    m_rig->workspace().notifications().ask({u"And that?"_s, {{u"Do that as well"_s, [&] { ++next; }}}});
+    QVERIFY(m_rig->isSettled());
+    const auto *offers = m_rig->window().offerBar();
+    const auto first = [&] { return middleOf(offers->buttons().first()); };
+    QTRY_VERIFY(!isShielded(first()));
+    clickAt(first());
+    QCOMPARE(restored, 1);
+    QVERIFY(m_rig->isSettled());
+    if (isShielded(first()))
+        clickAt(first());
+    QCOMPARE(next, 0);
+    // A question about a motor waits behind none of them.
+    auto turned = m_rig->workspace().perform(u"motor.test"_s, {{u"motor"_s, 1}});
+    QVERIFY(asked());
+    QVERIFY(asked()->isVisible());
+    const QPoint danger = middleOf(dangerousAnswer());
+    QVERIFY(isShielded(danger));
+    clickAt(danger);
+    QTest::keyClick(dangerousAnswer(), Qt::Key_Return);
+    QVERIFY(asked());
+    QVERIFY(!turned.isFinished() && !m_rig->workspace().unstoppable());
+    QTRY_VERIFY(!isShielded(middleOf(dangerousAnswer())));
+    clickAt(middleOf(dangerousAnswer()));
+    QTRY_VERIFY(m_rig->workspace().unstoppable());
+    QTRY_VERIFY_WITH_TIMEOUT(turned.isFinished(), kPatience);
+    QVERIFY(!m_rig->workspace().unstoppable());
 }
 
 // It says how long the drone hears nothing, and that the stop comes first then; so it does.
@@ -269,14 +394,19 @@ void TestBenchPage::firmwareNeedsABattery()
 void TestBenchPage::firmwareIsUploaded()
 {
     FirmwareCard *card = bench().firmware();
-    card->choose(firmwareFile(u"new.bin"_s, 20000));
+    QVERIFY(QDir(m_rig->filePath({})).mkpath(QString(120, u'x')));
+    const QString path = firmwareFile(QString(120, u'x') + u"/new.bin"_s, 20000);
+    card->choose(path);
     QTRY_VERIFY(card->uploadButton()->isEnabled());
     QCOMPARE(m_rig->client().identity().firmware, u"1.0"_s);
     QTest::mouseClick(card->uploadButton(), Qt::LeftButton);
     QVERIFY(card->isRunning() && bench().isUnderWay());
-    QTRY_VERIFY(m_rig->window().offerBar()->isVisible());
-    // What cannot be had back is asked in red.
-    QCOMPARE(m_rig->window().offerBar()->buttons().first()->objectName(), u"danger"_s);
+    QTRY_VERIFY(asked());
+    // What cannot be had back is asked in red, and with a short word, however long the path is.
+    QCOMPARE(dangerousAnswer()->text(), u"Upload firmware"_s);
+    QVERIFY2(asked()->text().contains(u"new.bin"_s), qPrintable(asked()->text()));
+    QVERIFY(asked()->text().contains(u'…'));
+    QVERIFY(asked()->toolTip().contains(path));
     QVERIFY(confirm(u"The file was made for this drone"_s));
     QTRY_VERIFY_WITH_TIMEOUT(card->said().contains(u"do not switch it off"_s), kPatience);
     QVERIFY(!card->cancelButton()->isEnabled());
@@ -385,13 +515,7 @@ void TestBenchPage::armedIsUnmistakable()
     QTRY_COMPARE(overview->state()->state(), State::Disarmed);
     const QString atRest = overview->state()->accessibleName() + overview->state()->accessibleDescription();
     const QImage before = overview->state()->grab().toImage();
-    m_rig->client().submit<bool>([](Channel &channel, Device &) -> Result<bool> {
-        Request request;
-        const bcflight::Controls wanted{.thrust = 0.3, .arm = true};
-        request.bytes = bcflight::encode(bcflight::Message::Controls, wanted.encode(bcflight::Generation::G));
-        channel.post(request);
-        return true;
-    });
+    armFromElsewhere();
     QTRY_COMPARE_WITH_TIMEOUT(overview->state()->state(), State::Armed, kPatience);
     QVERIFY(overview->state()->accessibleName() + overview->state()->accessibleDescription() != atRest);
     QVERIFY(overview->state()->grab().toImage() != before);

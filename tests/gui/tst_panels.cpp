@@ -70,6 +70,8 @@ constexpr PanelSite kSites[]{
     {"back", "app/mainwindow/bars.cpp goBack", true},
     {"messages", "app/mainwindow/shortcuts.cpp showPalette"},
     {"play", "app/mainwindow/mainwindow.cpp openFile"},
+    {nullptr,
+     "app/mainwindow/mainwindow.cpp connectFrame"},  // what is confirmed each time: see tst_benchpage
     {nullptr, "app/workspace/question.cpp askToStartMotors"},  // goes by itself where motors run
     {"letgo", "app/workspace/question.cpp askToLetGo"},
     {"storing", "app/workspace/storing.cpp reviewStoring", true},

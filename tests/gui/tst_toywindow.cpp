@@ -19,6 +19,7 @@
 #include "tests/support/toyfamily/toycomposition.h"
 #include "tests/support/toyfamily/toytables.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/panel.h"
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/valueeditor.h"
 #include "widgets/plot/curvechart.h"
@@ -34,6 +35,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -308,29 +310,30 @@ void TestToyWindow::actionIsConfirmedEachTime()
     auto *actions = page<ActionsPage>();
     QVERIFY(actions->showAction(u"calibrate.level"_s));
     QTRY_COMPARE(latest(toy::Armed), 0.0);
-    OfferBar *offers = window().offerBar();
+    const auto asked = [this] { return qobject_cast<QMessageBox *>(window().panels()->newest()); };
     for (int time = 0; time < 2; ++time) {
         QTest::mouseClick(actions->runButton(), Qt::LeftButton);
-        QTRY_VERIFY(offers->isVisible());
-        QCOMPARE(offers->buttons().first()->text(), u"The propellers are off: Calibrate"_s);
+        QTRY_VERIFY(asked());
+        QVERIFY2(asked()->text().contains(u"The propellers are off"_s), qPrintable(asked()->text()));
         QVERIFY(latest(toy::Calibrated) == double(time));
         if (time == 1)
             break;
-        QTest::mouseClick(offers->buttons().first(), Qt::LeftButton);
+        QTest::mouseClick(named<QPushButton>(asked(), u"Calibrate"_s), Qt::LeftButton);
         QTRY_COMPARE(latest(toy::Calibrated), 1.0);
         QTRY_VERIFY(actions->runButton()->isEnabled());
         QVERIFY(actions->reply()->toPlainText().contains(u"done"_s));
         QTRY_VERIFY(!m_rig->client().isBusy());
     }
     // Without the answer nothing happens.
-    QTest::mouseClick(offers->buttons().last(), Qt::LeftButton);
+    QTest::mouseClick(asked()->defaultButton(), Qt::LeftButton);
     QTRY_VERIFY(actions->runButton()->isEnabled());
     QVERIFY(actions->reply()->toPlainText().contains(u"Cancelled"_s));
     // Nor on another link.
     QTest::mouseClick(actions->runButton(), Qt::LeftButton);
-    QTRY_VERIFY(offers->isVisible());
+    QTRY_VERIFY(asked());
     m_rig->client().disconnectFromBoard();
     QTRY_VERIFY(actions->reply()->toPlainText().contains(u"Cancelled"_s));
+    QTRY_VERIFY(!asked());
 }
 
 void TestToyWindow::motorsAreNeverSwitchedOn()

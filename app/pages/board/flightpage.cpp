@@ -108,6 +108,7 @@ FlightPage::~FlightPage()
     if (m_session.close())
         workspace().client().releaseControl();
     workspace().setFlown(false);
+    workspace().setPropellersOn(false);
 }
 
 void FlightPage::makeHeader()
@@ -235,8 +236,8 @@ void FlightPage::connectAll()
     connect(m_open, &QPushButton::clicked, this, [this] {
         if (m_session.phase() == ArmingSession::Phase::Closed)
             askToOpen();
-        else if (m_session.close())
-            stopSending();
+        else
+            closeSession();
         showState();
     });
     connect(m_tune, &QCheckBox::clicked, this, &FlightPage::askToTune);
@@ -257,7 +258,7 @@ void FlightPage::connectAll()
     connect(&client, &DeviceClient::stateChanged, this, [this] {
         if (!workspace().client().isConnected()) {
             disarm(ArmingBar::NoLink);
-            m_session.close();
+            closeSession();
             m_tune->setChecked(false);
         }
         showState();
@@ -461,7 +462,15 @@ void FlightPage::open(bool held)
 {
     followSystem();
     m_session.open(held);
+    workspace().setPropellersOn(held);
     showState();
+}
+
+void FlightPage::closeSession()
+{
+    workspace().setPropellersOn(false);
+    if (m_session.close())
+        stopSending();
 }
 
 void FlightPage::showNow()

@@ -74,6 +74,7 @@ private:
     [[nodiscard]] Card *makeStickCard();
     void connectAll();
     void followSystem();
+    void closeSession();
     void askToOpen();
     void askToTune(bool wanted);
     void connectGamepad();
