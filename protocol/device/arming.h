@@ -31,6 +31,7 @@ enum class ArmingBar {
     Disarmed,  ///< it says that it is disarmed, and nobody told it so from here
     Focus,  ///< the window is not in front any more
     Hidden,  ///< the page is not seen any more
+    Covered,  ///< something else lies over the sticks or takes the keyboard
     Locked,  ///< the screen was locked
     Idle,  ///< nobody has moved anything for a while
     Emergency,  ///< the motors were stopped

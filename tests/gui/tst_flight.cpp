@@ -9,6 +9,7 @@
 #include "app/pages/board/stickstepcard.h"
 #include "app/pages/watch/dashboardpage.h"
 #include "app/workspace/flightstate.h"
+#include "app/workspace/question.h"
 #include "protocol/base/framelistener.h"
 #include "protocol/bcflight/device.h"
 #include "protocol/bcflight/payloads.h"
@@ -21,13 +22,16 @@
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/numberbox.h"
+#include "widgets/forms/panel.h"
 #include "widgets/views/attitudeview.h"
 #include "widgets/views/controlpad.h"
 #include "widgets/views/motordiagram.h"
 
 #include <QAbstractButton>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
@@ -507,6 +511,17 @@ void TestFlight::everythingEndsIt_data()
         QCoreApplication::sendEvent(&test.page(), &away);
     });
     row("minimised", ArmingBar::Hidden, [](TestFlight &test) { test.page().hide(); });
+    row("a list", ArmingBar::Covered, [](TestFlight &test) { test.window().showPalette(); });
+    row("a question", ArmingBar::Covered, [](TestFlight &test) {
+        askInPanel({u"Which?"_s, {}, {}, u"None"_s}, &test.window());
+    });
+    row("a question about values", ArmingBar::Covered,
+        [](TestFlight &test) { test.page().tuneChoice()->click(); });
+    row("a field of the window", ArmingBar::Covered, [](TestFlight &test) {
+        auto *field = new QLineEdit(&test.window());
+        field->show();
+        field->setFocus();
+    });
     row("locked", ArmingBar::Locked, [](TestFlight &test) { test.page().onScreenLocked(true); });
     row("session locked", ArmingBar::Locked, [](TestFlight &test) { test.page().onSessionLocked(); });
     row("red button", ArmingBar::Emergency,
@@ -560,6 +575,7 @@ void TestFlight::everythingEndsIt()
     QCOMPARE(int(page().session().ended()), why);
     QCOMPARE(hung.count(), ArmingBar(why) == ArmingBar::Hung ? 1 : 0);
     m_rig->settings().setDisarmSeconds(20);
+    window().panels()->rejectAll();
     // Repeated at full rate, with the message that stops motors, and never armed again.
     QTRY_VERIFY_WITH_TIMEOUT(tap.stops() >= 15, kPatience);
     std::ignore = tap.take();
@@ -825,16 +841,12 @@ void TestFlight::gamepadSteersAndItsLossDisarms()
 void TestFlight::spaceDisarmsWhereverTheKeyboardIs()
 {
     QVERIFY(arm());
-    window().showPalette();
-    QLineEdit *field = window().commandPalette()->input();
-    QTRY_VERIFY(field->hasFocus());
-    QTest::keyClick(field, Qt::Key_Space);
+    auto *list = window().findChild<Navigation *>();
+    QVERIFY(list);
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_Space);
     QVERIFY(isSoon(m_rig->client().roles().armed, 0));
     QCOMPARE(page().session().ended(), ArmingBar::Operator);
-    QVERIFY(field->text().isEmpty());
-    QTest::keyClick(field, Qt::Key_Space);  // of no meaning any more
-    QCOMPARE(field->text(), u" "_s);
-    QTest::keyClick(field, Qt::Key_Escape);
 }
 
 void TestFlight::gainsDisarmFirst()
@@ -879,12 +891,18 @@ void TestFlight::stepIsMeasuredInAStand()
     QVERIFY(page().session().isArming());
     QTest::mouseClick(page().tuneChoice(), Qt::LeftButton, {}, QPoint(8, page().tuneChoice()->height() / 2));
     QTRY_VERIFY_WITH_TIMEOUT(window().findChild<QMessageBox *>(), kPatience);
+    // It is asked with the motors standing, and no answer says that it would stop them.
+    QVERIFY(isSoon(m_rig->client().roles().armed, 0));
+    for (const QAbstractButton *button : window().findChild<QMessageBox *>()->buttons())
+        QVERIFY2(!button->text().contains(u"isarm"_s), qPrintable(button->text()));
     for (QAbstractButton *button : window().findChild<QMessageBox *>()->buttons()) {
         if (window().findChild<QMessageBox *>()->buttonRole(button) == QMessageBox::DestructiveRole)
             QTest::mouseClick(button, Qt::LeftButton);
     }
     QTRY_VERIFY_WITH_TIMEOUT(page().tuneChoice()->isChecked(), kPatience);
     QVERIFY(m_rig->jobsAreDone());
+    QVERIFY(arm());
+    page().throttle()->setValue(30);
     const double before = card->gains()[0]->value();
     QVERIFY(before > 0);
     card->gains()[0]->setValue(before * 0.5);

@@ -12,6 +12,7 @@
 #include "protocol/session/controlstream.h"
 #include "protocol/session/linkstatistics.h"
 #include "protocol/telemetry/telemetrystore.h"
+#include "widgets/forms/panel.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/views/attitudeview.h"
@@ -249,7 +250,12 @@ void FlightPage::connectAll()
     connectGamepad();
     connect(m_arm, &QPushButton::pressed, this, &FlightPage::press);
     connect(m_arm, &QPushButton::released, this, &FlightPage::release);
-    connect(m_disarm, &QPushButton::clicked, this, [this] { disarm(ArmingBar::Operator); });
+    connect(m_disarm, &QPushButton::clicked, this, [this] {
+        if (isUnderWay())
+            disarm(ArmingBar::Operator);
+        else  // armed by somebody else
+            this->workspace().setMotors(false);
+    });
     for (QSlider *slider : {m_throttle, m_yaw})
         connect(slider, &QSlider::valueChanged, this, &FlightPage::touch);
     connect(m_throttle, &QSlider::valueChanged, this, &FlightPage::showNow);
@@ -380,6 +386,8 @@ void FlightPage::tick()
     // Not only once it is armed: a gamepad is heard behind other windows too.
     if (isUnderWay() && !window()->isActiveWindow())
         m_session.end(ArmingBar::Focus);
+    if (isUnderWay() && isCovered())
+        m_session.end(ArmingBar::Covered);
     const bool wasArmed = m_session.phase() == ArmingSession::Phase::Armed;
     const ArmingSession::Send send = m_session.step(known(), sticks(), now);
     if (!wasArmed && m_session.phase() == ArmingSession::Phase::Armed)
@@ -397,6 +405,15 @@ void FlightPage::tick()
     if (m_ticks++ % kTellGuardEvery == 0)
         m_guardian.tell();
     showState();
+}
+
+// It would go on with its throttle, and nobody could steer it.
+bool FlightPage::isCovered() const
+{
+    const QWidget *focus = QApplication::focusWidget();
+    const bool isText = focus && focus->testAttribute(Qt::WA_InputMethodEnabled) && !isAncestorOf(focus)
+        && !m_gamepad->isChosen();
+    return isText || QApplication::activePopupWidget() || (m_panels && m_panels->isOpen());
 }
 
 // From now on keys are for the sticks, not for the button that was held.
@@ -561,6 +578,7 @@ void FlightPage::onSessionLocked()
 void FlightPage::showEvent(QShowEvent *event)
 {
     Page::showEvent(event);
+    m_panels = window()->findChild<PanelArea *>();
     workspace().telemetry().subscribe(this, [this] {
         const ChannelRoles &roles = workspace().roles();
         return ChannelRoles::present({roles.angle}) + roles.motors;

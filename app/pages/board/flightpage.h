@@ -9,6 +9,7 @@
 #include "protocol/transport/flightguard.h"
 
 #include <QElapsedTimer>
+#include <QPointer>
 #include <QTimer>
 
 class ArmedState;
@@ -18,6 +19,7 @@ class ControlPad;
 class DirectionCard;
 class GamepadSteering;
 class MotorDiagram;
+class PanelArea;
 class StickStepCard;
 class QCheckBox;
 class QLabel;
@@ -75,6 +77,7 @@ private:
     void connectAll();
     void followSystem();
     void closeSession();
+    [[nodiscard]] bool isCovered() const;
     void askToOpen();
     void askToTune(bool wanted);
     void connectGamepad();
@@ -127,6 +130,7 @@ private:
     QLabel *m_numbers;
     DirectionCard *m_directions;
     StickStepCard *m_steps;
+    QPointer<PanelArea> m_panels;
     QTimer m_send;
     QTimer m_refresh;
     QElapsedTimer m_touched;

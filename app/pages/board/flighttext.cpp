@@ -27,8 +27,9 @@ QString FlightPage::stateText() const
     case ArmingSession::Phase::Holding: return tr("Keep holding: it arms after a second.");
     case ArmingSession::Phase::Asked: return tr("It is told to arm.");
     case ArmingSession::Phase::Armed:
-        return tr("Armed from here. Leaving this page or window, a lost link and %1 s without a movement "
-                  "disarm it.")
+        return tr("Armed from here. Leaving this page or window, a question, list or text field that takes "
+                  "the "
+                  "sticks’ place, a lost link and %1 s without a movement disarm it.")
             .arg(workspace().settings().disarmSeconds());
     case ArmingSession::Phase::Open: break;
     }
@@ -72,6 +73,7 @@ QString FlightPage::barText(ArmingBar bar) const
     case ArmingBar::Disarmed: return tr("it says so itself, and nobody told it to from here.");
     case ArmingBar::Focus: return tr("the window was not in front any more.");
     case ArmingBar::Hidden: return tr("this page was not seen any more.");
+    case ArmingBar::Covered: return tr("a question, a list or a text field has taken the sticks’ place.");
     case ArmingBar::Locked: return tr("the screen was locked.");
     case ArmingBar::Idle: return tr("nothing was moved for too long.");
     case ArmingBar::Emergency: return tr("the motors were stopped.");
@@ -125,6 +127,6 @@ void FlightPage::askToTune(bool wanted)
                 tr("A wrong gain makes it swing at once, with its propellers turning. Only in a test stand "
                    "that holds it, with nobody near."),
                 {{tr("It is held: allow it"), [set] { set(true); }, true}},
-                tr("Disarm first")},
+                tr("Leave it off")},
                this);
 }
