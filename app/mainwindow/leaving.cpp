@@ -211,6 +211,7 @@ void Leaving::later()
     QMetaObject::invokeMethod(this, &Leaving::next, Qt::QueuedConnection);
 }
 
+// Of what nobody can cancel, only waiting is offered; and nothing is asked any more once it is over.
 void Leaving::askAboutWork()
 {
     const auto wait = [this] {
@@ -229,12 +230,26 @@ void Leaving::askAboutWork()
         m_workspace.client().cancelMovingJobs();
         m_workspace.client().cancelJobs();
     };
-    askInPanel({tr("The board is at work"),
-                tr("A calibration, a measurement or another procedure has not ended."),
-                {{quits() ? tr("Wait, then quit") : tr("Wait, then disconnect"), wait},
-                 {quits() ? tr("Cancel it and quit") : tr("Cancel it and disconnect"), cancel, true}},
-                tr("Stay")},
-               &m_window);
+    Question question{tr("The board is at work"),
+                      tr("A calibration, a measurement or another procedure has not ended."),
+                      {{quits() ? tr("Wait, then quit") : tr("Wait, then disconnect"), wait}},
+                      tr("Stay")};
+    if (const ActionSpec *action = m_workspace.unstoppable()) {
+        question.title = tr("“%1” has not ended").arg(tableText(action->label));
+        question.text = tableText(action->help) + u"\n\n"_s
+            + tr("It cannot be cancelled from here, and goes on without this program: only taking its "
+                 "battery "
+                 "away ends it before.");
+    } else {
+        question.answers.append(
+            {quits() ? tr("Cancel it and quit") : tr("Cancel it and disconnect"), cancel, true});
+    }
+    QDialog *panel = askInPanel(question, &m_window);
+    connect(&m_workspace, &Workspace::workEnded, panel, &QDialog::reject);
+    connect(&m_workspace.notches(), &NotchAdviser::changed, panel, [this, panel] {
+        if (!isAtWork())
+            panel->reject();
+    });
 }
 
 void Leaving::askAboutEdits()

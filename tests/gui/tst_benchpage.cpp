@@ -48,6 +48,7 @@ private slots:
     void questionGoesWithWhatItWasAskedFor();
     void propellersInAStandKeepMotorsFromTheBench();
     void secondClickConfirmsNothing();
+    void whatCannotBeCancelledIsOnlyWaitedFor();
     void redButtonSaysThatItIsDeaf();
     void fileIsLookedAtFirst();
     void firmwareNeedsABattery();
@@ -307,6 +308,24 @@ void TestBenchPage::secondClickConfirmsNothing()
     QTRY_VERIFY(m_rig->workspace().unstoppable());
     QTRY_VERIFY_WITH_TIMEOUT(turned.isFinished(), kPatience);
     QVERIFY(!m_rig->workspace().unstoppable());
+}
+
+void TestBenchPage::whatCannotBeCancelledIsOnlyWaitedFor()
+{
+    QVERIFY(calibrate());
+    auto turned = m_rig->workspace().perform(u"motor.test"_s, {{u"motor"_s, 1}});
+    QVERIFY(confirm(u"The propellers are off"_s));
+    QTRY_VERIFY(m_rig->workspace().unstoppable());
+    m_rig->window().close();
+    QTRY_VERIFY(asked());
+    QVERIFY2(asked()->text().contains(u"cannot be cancelled"_s) && asked()->text().contains(u"5 %"_s),
+             qPrintable(asked()->text()));
+    QVERIFY(!dangerousAnswer());
+    QCOMPARE(asked()->buttons().size(), 2);
+    QVERIFY(!turned.isFinished());
+    QTRY_VERIFY_WITH_TIMEOUT(turned.isFinished(), kPatience);
+    QTRY_VERIFY(!asked());
+    QVERIFY(m_rig->window().isVisible());
 }
 
 // It says how long the drone hears nothing, and that the stop comes first then; so it does.
