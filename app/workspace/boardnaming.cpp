@@ -7,6 +7,13 @@
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+// A drone needs longer to start: one that is back by then was not exchanged for another.
+constexpr auto kShortLoss = 10s;
+
+}  // namespace
+
 BoardNaming::BoardNaming(DeviceClient &client, BoardHistory &history, EditJournal &journal,
                          Notifications &notifications)
     : m_client(client)
@@ -17,11 +24,28 @@ BoardNaming::BoardNaming(DeviceClient &client, BoardHistory &history, EditJourna
     connect(&client, &DeviceClient::stateChanged, this, &BoardNaming::onState);
 }
 
+void BoardNaming::forgetWord()
+{
+    m_isSaid = false;
+    m_passing.clear();
+    m_history.forgetChoice();
+}
+
 void BoardNaming::onState(DeviceClient::State state)
 {
     if (state == DeviceClient::State::Connecting) {
-        m_history.forgetChoice();
-        m_passing.clear();
+        forgetWord();
+        m_lostAt.reset();
+    }
+    if (state == DeviceClient::State::Reconnecting && !m_lostAt)
+        m_lostAt = Clock::now();
+    if (state == DeviceClient::State::Connected) {
+        const auto lostAt = std::exchange(m_lostAt, std::nullopt);
+        const DeviceClient::Loss loss = m_client.loss();
+        const bool isSameLink = loss == DeviceClient::Loss::OrderedRestart
+            || (loss == DeviceClient::Loss::Link && lostAt && Clock::now() - *lostAt < kShortLoss);
+        if (lostAt && !isSameLink)
+            forgetWord();
     }
     if (state != DeviceClient::State::Connected || m_client.address().isReplay())
         return;
@@ -79,7 +103,14 @@ QString BoardNaming::name() const
     return m_history.nameOf(m_client.identity().serial);
 }
 
-QString BoardNaming::lastingKey() const
+// A simulated board within the program is always the same one.
+bool BoardNaming::isCertain() const
+{
+    return m_isSaid || m_client.identity().isNumbered()
+        || m_client.address().kind() == LinkAddress::Kind::Simulator;
+}
+
+QString BoardNaming::presumedKey() const
 {
     const BoardIdentity &board = m_client.identity();
     const auto known = m_history.acquaintance(board);
@@ -111,7 +142,9 @@ Result<void> BoardNaming::choose(const QString &name)
 {
     Result<void> chosen;
     m_journal.moveWith([&] { chosen = m_history.choose(m_client.identity(), name); });
-    if (chosen)
+    if (chosen) {
+        m_isSaid = true;
         emit changed();
+    }
     return chosen;
 }

@@ -22,9 +22,14 @@ public:
     [[nodiscard]] QString name() const;
     /// The boards of its family that have a name, those that look like it first.
     [[nodiscard]] QStringList names() const;
+    /// It is the board that it is taken for: by its number, or by the operator's word since this connection
+    /// was made. A short loss of the link and a restart on purpose leave that as it is.
+    [[nodiscard]] bool isCertain() const;
     /// By what something that is dangerous with another board is kept about this one: its number, or its look
     /// and the name that the operator has given it. Empty: it may be any that looks like it.
-    [[nodiscard]] QString lastingKey() const;
+    [[nodiscard]] QString lastingKey() const { return isCertain() ? presumedKey() : QString(); }
+    /// The same for the board that it is taken for, certain or not; empty: it is taken for none.
+    [[nodiscard]] QString presumedKey() const;
     /// What is kept about such a board: until another connection is made.
     [[nodiscard]] QHash<QByteArray, QByteArray> &untilReconnected() { return m_passing; }
     /// Key of the action that stores a name on the board; empty if it can keep none.
@@ -44,6 +49,7 @@ signals:
 
 private:
     void onState(DeviceClient::State state);
+    void forgetWord();
     void ask(const QString &text);
 
     DeviceClient &m_client;
@@ -51,6 +57,8 @@ private:
     EditJournal &m_journal;
     Notifications &m_notifications;
     bool m_asked = false;
+    bool m_isSaid = false;  // since this connection was made: which board it is
+    std::optional<TimePoint> m_lostAt;
     QHash<QByteArray, QByteArray> m_passing;
     QSet<QString> m_later;  // boards about which it is not asked again
 };

@@ -80,15 +80,29 @@ QByteArray handsKey(Workspace &workspace)
 // What was answered about the drone itself, whatever its sticks were pushed with.
 const QByteArray kDroneAlone = "-drone";
 
+// As it is kept: what was found, and since when.
+QByteArray datedToday(const CheckedDirections &found)
+{
+    return found.encode() + '@' + QDate::currentDate().toString(Qt::ISODate).toLatin1();
+}
+
+PresumedDirections directionsIn(const QByteArray &kept)
+{
+    const QList<QByteArray> parts = kept.split('@');
+    return {CheckedDirections::decode(parts.value(0)),
+            QDate::fromString(QString::fromLatin1(parts.value(1)), Qt::ISODate)};
+}
+
 CheckedDirections directionsKept(Workspace &workspace, const QByteArray &hands)
 {
     const QByteArray key = axesKey(workspace);
     if (key.isEmpty())
         return {};
     const QString board = workspace.naming().lastingKey();
-    return CheckedDirections::decode(
-        board.isEmpty() ? workspace.naming().untilReconnected().value(hands + ' ' + key)
-                        : workspace.settings().checkedDirections(board + QString::fromLatin1(hands), key));
+    return directionsIn(board.isEmpty()
+                            ? workspace.naming().untilReconnected().value(hands + ' ' + key)
+                            : workspace.settings().checkedDirections(board + QString::fromLatin1(hands), key))
+        .found;
 }
 
 }  // namespace
@@ -96,6 +110,15 @@ CheckedDirections directionsKept(Workspace &workspace, const QByteArray &hands)
 CheckedDirections checkedDirections(Workspace &workspace)
 {
     return directionsKept(workspace, handsKey(workspace));
+}
+
+PresumedDirections presumedDirections(Workspace &workspace)
+{
+    const QString board = workspace.naming().presumedKey();
+    if (workspace.naming().isCertain() || board.isEmpty())
+        return {};
+    return directionsIn(
+        workspace.settings().checkedDirections(board + QString::fromLatin1(kDroneAlone), axesKey(workspace)));
 }
 
 CheckedDirections droneDirections(Workspace &workspace)
@@ -109,10 +132,10 @@ void keepDirections(Workspace &workspace, const CheckedDirections &found)
     const QString board = workspace.naming().lastingKey();
     for (const QByteArray &hands : {handsKey(workspace), kDroneAlone}) {
         if (board.isEmpty())
-            workspace.naming().untilReconnected().insert(hands + ' ' + key, found.encode());
+            workspace.naming().untilReconnected().insert(hands + ' ' + key, datedToday(found));
         else
             workspace.settings().setCheckedDirections(board + QString::fromLatin1(hands), key,
-                                                      found.encode());
+                                                      datedToday(found));
     }
 }
 

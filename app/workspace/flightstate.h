@@ -22,6 +22,13 @@ class Workspace;
 [[nodiscard]] QByteArray axesKey(const Workspace &workspace);
 /// What a check of its directions has found, if there was one since that has changed.
 [[nodiscard]] CheckedDirections checkedDirections(Workspace &workspace);
+/// What was kept about a drone that the connected one is taken for, and nobody has said that it is it.
+struct PresumedDirections
+{
+    CheckedDirections found;
+    QDate on;  ///< invalid: an earlier version has kept it
+};
+[[nodiscard]] PresumedDirections presumedDirections(Workspace &workspace);
 /// What it has found of the drone itself: its angles and where its motors are; its sticks may not hold.
 [[nodiscard]] CheckedDirections droneDirections(Workspace &workspace);
 /// Keeps it for this board; until the next connection where nobody has said which one it is.

@@ -6,6 +6,7 @@
 #include "app/mainwindow/navigation.h"
 #include "app/mainwindow/palettesource.h"
 #include "app/pages/board/actionspage.h"
+#include "app/pages/board/directioncard.h"
 #include "app/pages/board/flightpage.h"
 #include "app/pages/setup/documentspage.h"
 #include "app/pages/setup/parameterspage.h"
@@ -18,9 +19,11 @@
 #include "protocol/configuration/writereport.h"
 #include "protocol/device/device.h"
 #include "protocol/telemetry/telemetrystore.h"
+#include "tests/support/named.h"
 #include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/panel.h"
 #include "widgets/models/errortext.h"
 #include "widgets/theme/theme.h"
 #include "widgets/views/armedstate.h"
@@ -59,6 +62,7 @@ private slots:
     void whatItLacksIsAClickAway();
     void messagesLeaveItsStateInSight();
     void checkedIsADroneThatIsKnown();
+    void lookalikeIsAskedAbout();
     void replaysStartNoMotors();
     void anotherIsConnectedAfterOneWasLost();
     void weakLinkIsNotShownAsGood();
@@ -327,9 +331,72 @@ void TestBcflightWindow::checkedIsADroneThatIsKnown()
     m_rig->client().disconnectFromBoard();
     QVERIFY(connected());
     QCOMPARE(m_rig->client().identity().serial, look);
-    QTRY_COMPARE(checkedDirections(m_rig->workspace()), all);
+    QCOMPARE(checkedDirections(m_rig->workspace()).level, CheckedDirections::Level::Nothing);
+    QCOMPARE(presumedDirections(m_rig->workspace()).found, all);
+    QCOMPARE(presumedDirections(m_rig->workspace()).on, QDate::currentDate());
+    QVERIFY(m_rig->workspace().naming().choose(u"Mine"_s));
+    QCOMPARE(checkedDirections(m_rig->workspace()), all);
     QVERIFY(m_rig->workspace().naming().choose(u"Another"_s));
     QCOMPARE(checkedDirections(m_rig->workspace()).level, CheckedDirections::Level::Nothing);
+}
+
+// It inherits the name, and neither the check nor, unasked, the snapshots.
+void TestBcflightWindow::lookalikeIsAskedAbout()
+{
+    SimProcess one({u"--udp"_s, u"0"_s, u"--seed"_s, u"7"_s}, u"bcflight"_s);
+    SimProcess other({u"--udp"_s, u"0"_s, u"--seed"_s, u"8"_s}, u"bcflight"_s);
+    const auto connected = [&](const SimProcess &drone) {
+        m_rig->client().disconnectFromBoard();
+        QSignalSpy read(&m_rig->workspace(), &Workspace::boardRead);
+        return m_rig->open(drone.address()) && QTest::qWaitFor([&] { return read.count() > 0; }, kPatience);
+    };
+    QVERIFY(connected(one));
+    CheckedDirections all;
+    all.level = CheckedDirections::Level::All;
+    QVERIFY(m_rig->workspace().naming().choose(u"quad one"_s));
+    keepDirections(m_rig->workspace(), all);
+    m_rig->workspace().takeSnapshot();
+    const auto snapshots
+        = [this] { return m_rig->workspace().history().snapshots(m_rig->client().identity().serial); };
+    QTRY_COMPARE_WITH_TIMEOUT(snapshots().size(), 1, kPatience);
+
+    QVERIFY(connected(other));
+    QCOMPARE(m_rig->workspace().naming().name(), u"quad one"_s);
+    auto *flight = m_rig->page<FlightPage>();
+    QVERIFY(flight);
+    QVERIFY(window().showPage(u"flight"_s));
+    const auto done = m_rig->workspace().perform(u"calibrate.all"_s, {});
+    QTRY_VERIFY_WITH_TIMEOUT(done.isFinished(), kPatience);
+    flight->open(true);
+    QTRY_VERIFY2_WITH_TIMEOUT(flight->stateText().contains(u"nobody has said that it is “quad one”"_s),
+                              qPrintable(flight->stateText()), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(flight->directions()->sameButton()->isVisible(), kPatience);
+    // Checked without that word, it is for this connection, and the other drone's check stays.
+    CheckedDirections reversed = all;
+    reversed.sticks = {-1, 1, 1};
+    keepDirections(m_rig->workspace(), reversed);
+    QCOMPARE(checkedDirections(m_rig->workspace()), reversed);
+
+    // A short loss of the link changes nothing, another drone does.
+    QVERIFY(connected(one));
+    QCOMPARE(presumedDirections(m_rig->workspace()).found, all);
+    QTRY_VERIFY_WITH_TIMEOUT(flight->directions()->sameButton()->isVisible(), kPatience);
+    QTest::mouseClick(flight->directions()->sameButton(), Qt::LeftButton);
+    QCOMPARE(checkedDirections(m_rig->workspace()), all);
+    QTRY_VERIFY(!flight->directions()->sameButton()->isVisible());
+
+    // What a snapshot holds is asked about as well.
+    QVERIFY(connected(other));
+    m_rig->edit(u"pid.roll.p"_s, 0, double(float(m_rig->raw(u"pid.roll.p"_s) * 1.1)));
+    QVERIFY(window().showPage(u"backups"_s));
+    QPushButton *restore = named<QPushButton>(window().page(u"backups"_s), u"Restore as edits"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(restore->isEnabled(), kPatience);
+    QTest::mouseClick(restore, Qt::LeftButton);
+    QTRY_VERIFY(window().panels()->isOpen());
+    QVERIFY(m_rig->model().changeCount() > 0);
+    QTest::mouseClick(named<QPushButton>(window().panels()->newest(), u"It is “quad one”"_s), Qt::LeftButton);
+    QTRY_COMPARE(m_rig->model().changeCount(), 0);
+    QVERIFY(m_rig->workspace().naming().isCertain());
 }
 
 // One that does not come back keeps nobody from the next.

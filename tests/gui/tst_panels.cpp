@@ -62,6 +62,7 @@ constexpr PanelSite kSites[]{
     // Of a drone, and of the same kind as the others: see tst_flight and tst_camerapage.
     {nullptr, "app/mainwindow/leaving.cpp askAboutArmed"},
     {nullptr, "app/pages/board/flighttext.cpp askToOpen"},
+    {nullptr, "app/pages/board/backupspage.cpp askBeforeRestoring"},
     {nullptr, "app/pages/board/flighttext.cpp askToTune"},
     {"forget", "app/pages/setup/guidepage.cpp forget"},
     {nullptr, "app/families/bcflight/picturesettings.cpp openLens"},

@@ -4,6 +4,7 @@
 
 #include "app/pages/board/boardnamedialog.h"
 #include "app/pages/board/sharedialog.h"
+#include "app/workspace/question.h"
 #include "protocol/base/filefault.h"
 #include "widgets/forms/panel.h"
 #include "widgets/models/missingtext.h"
@@ -160,8 +161,11 @@ void BackupsPage::connectAll()
 {
     connect(m_take, &QPushButton::clicked, &workspace(), &Workspace::takeSnapshot);
     connect(m_restore, &QPushButton::clicked, this, [this] {
-        workspace().notifications().reportLoaded(workspace().applyFile(chosenPath()));
-        showDifferences();
+        if (workspace().naming().isNeeded() && !workspace().naming().isCertain()
+            && !workspace().naming().name().isEmpty())
+            askBeforeRestoring();
+        else
+            restore();
     });
     connect(m_export, &QPushButton::clicked, this, [this] {
         const QString from = chosenPath();
@@ -203,6 +207,33 @@ void BackupsPage::askName()
     openPanel(*dialog);
 }
 
+void BackupsPage::restore()
+{
+    workspace().notifications().reportLoaded(workspace().applyFile(chosenPath()));
+    showDifferences();
+}
+
+// What fits one drone can make another one that looks the same turn over.
+void BackupsPage::askBeforeRestoring()
+{
+    const QString name = workspace().naming().name();
+    const auto take = [this, name] {
+        if (const auto said = workspace().naming().choose(name); !said)
+            workspace().notifications().report(said.error());
+        else
+            restore();
+    };
+    QDialog *panel
+        = askInPanel({tr("Is this the same board?"),
+                      tr("The snapshot is of “%1”. The board that is connected looks the same and "
+                         "has no serial number: it may be another one.")
+                          .arg(name),
+                      {{tr("It is “%1”").arg(name), take}, {tr("It is another one…"), [this] { askName(); }}},
+                      tr("Do not restore")},
+                     this);
+    connect(&workspace().client(), &DeviceClient::stateChanged, panel, &QDialog::reject);
+}
+
 void BackupsPage::askWhatIsOpen()
 {
     if (isVisible() && workspace().naming().takeQuestion())
@@ -232,8 +263,11 @@ void BackupsPage::reload()
     const ConfigurationModel &model = workspace().configuration();
     const QString before = chosenPath();
     const BoardNaming &naming = workspace().naming();
-    m_board->setText(naming.name().isEmpty() ? tr("This board has no serial number and no name yet.")
-                                             : tr("Board “%1”. It has no serial number.").arg(naming.name()));
+    m_board->setText(
+        naming.name().isEmpty() ? tr("This board has no serial number and no name yet.")
+            : naming.isCertain()
+            ? tr("Board “%1”. It has no serial number.").arg(naming.name())
+            : tr("Taken for “%1”, a board that looks the same. It has no serial number.").arg(naming.name()));
     m_board->setVisible(naming.isNeeded());
     m_which->setVisible(naming.isNeeded());
     m_lacking->setVisible(hasCalibration());

@@ -26,6 +26,8 @@ private:
     void makeBody();
     void connectAll();
     void askName();
+    void restore();
+    void askBeforeRestoring();
     void askWhatIsOpen();
     void reload();
     void showDifferences();

@@ -53,6 +53,7 @@ DirectionCard::DirectionCard(Workspace &workspace, QWidget *parent)
                                   {tr("turned to the right"), 6},
                                   {tr("turned to the left"), 7}},
                                  this, tr("Simulated drone: your hands")))
+    , m_same(new QPushButton)
     , m_begin(new QPushButton)
     , m_anew(new QPushButton(tr("From the beginning…")))
     , m_cancel(new QPushButton(tr("Cancel the check")))
@@ -67,6 +68,7 @@ DirectionCard::DirectionCard(Workspace &workspace, QWidget *parent)
         label->setAlignment(Qt::AlignTop);
     // Above what is said: while motors turn they stay where they are.
     auto *buttons = new QHBoxLayout;
+    buttons->addWidget(m_same);
     buttons->addWidget(m_begin);
     buttons->addWidget(m_anew);
     buttons->addWidget(m_yes);
@@ -78,6 +80,11 @@ DirectionCard::DirectionCard(Workspace &workspace, QWidget *parent)
     content()->addWidget(m_sees);
     content()->addWidget(m_progress);
     content()->addWidget(m_hands);
+    connect(m_same, &QPushButton::clicked, this, [this] {
+        BoardNaming &naming = m_workspace.naming();
+        if (const auto said = naming.choose(naming.name()); !said)
+            m_workspace.notifications().report(said.error());
+    });
     connect(m_begin, &QPushButton::clicked, this, [this] { begin(found()); });
     connect(m_anew, &QPushButton::clicked, this, [this] { begin({}); });
     connect(m_cancel, &QPushButton::clicked, this, &DirectionCard::cancel);
@@ -193,18 +200,47 @@ QList<int> DirectionCard::asked() const
 
 QString DirectionCard::checkedText() const
 {
-    return m_workspace.naming().lastingKey().isEmpty()
+    const BoardNaming &naming = m_workspace.naming();
+    if (!naming.lastingKey().isEmpty())
+        return tr("Checked with this drone and this configuration.");
+    return naming.name().isEmpty()
         ? tr("Checked, until another connection is made: it has no serial number. With a name (Backups) it "
              "is kept.")
-        : tr("Checked with this drone and this configuration.");
+        : tr("Checked, until another connection is made: it has no serial number. If it is “%1”, say so, and "
+             "it is kept.")
+              .arg(naming.name());
+}
+
+// Empty: no check of a drone that looks like this one is known.
+QString DirectionCard::presumedText() const
+{
+    const PresumedDirections presumed = presumedDirections(m_workspace);
+    if (presumed.found.level == CheckedDirections::Level::Nothing)
+        return {};
+    const QString name = m_workspace.naming().name();
+    const QString checked = presumed.on.isValid()
+        ? tr("Checked for “%1” on %2.").arg(name, QLocale().toString(presumed.on, QLocale::ShortFormat))
+        : tr("Checked for “%1”.").arg(name);
+    return checked + u' '
+        + tr("Is this the same drone? It has no serial number, and another one may look the same. Until you "
+             "say so, or have checked it, it is not armed.");
+}
+
+void DirectionCard::showSame()
+{
+    const BoardNaming &naming = m_workspace.naming();
+    m_same->setVisible(!m_check && naming.isNeeded() && !naming.isCertain() && !naming.name().isEmpty());
+    m_same->setText(tr("It is “%1”").arg(naming.name()));
 }
 
 void DirectionCard::show()
 {
     using Level = CheckedDirections::Level;
     const Level level = found().level;
+    const QString presumed = level == Level::Nothing ? presumedText() : QString();
     m_what->setText(
         m_check                   ? instruction()
+            : !presumed.isEmpty() ? presumed
             : level == Level::All ? checkedText()
             : level == Level::Signs
             ? tr("Angles and sticks are checked; what the motors answer is not.")
@@ -215,10 +251,11 @@ void DirectionCard::show()
     m_progress->setVisible(m_check.has_value());
     m_progress->setValue(m_check ? kPerCent * m_check->stepNumber() / DirectionCheck::stepCount() : 0);
     m_hands->setVisible(m_check && m_workspace.isSimulated());
+    showSame();
     m_begin->setVisible(!m_check);
-    m_begin->setText(level == Level::All         ? tr("Check again…")
-                         : level == Level::Signs ? tr("Go on with the check…")
-                                                 : tr("Check directions…"));
+    m_begin->setText(level == Level::All || !presumed.isEmpty() ? tr("Check again…")
+                         : level == Level::Signs                ? tr("Go on with the check…")
+                                                                : tr("Check directions…"));
     m_anew->setVisible(!m_check && level == Level::Signs);
     // Before that its angles are nothing (BCFlight errata 8.2).
     const bool isCalibrated = freshlyTold(m_workspace, m_workspace.roles().calibrated).value_or(false);

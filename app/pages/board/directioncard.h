@@ -41,6 +41,8 @@ public:
     void feed(const DirectionCheck::Axes &sticks, const Session &session);
 
     [[nodiscard]] QPushButton *beginButton() const { return m_begin; }
+    /// "It is the drone that was checked", where nobody has said so yet.
+    [[nodiscard]] QPushButton *sameButton() const { return m_same; }
     [[nodiscard]] QPushButton *yesButton() const { return m_yes; }
     [[nodiscard]] QPushButton *noButton() const { return m_no; }
     [[nodiscard]] QString instruction() const;
@@ -58,7 +60,9 @@ signals:
 private:
     [[nodiscard]] bool isAsking() const;
     void show();
+    void showSame();
     [[nodiscard]] QString checkedText() const;
+    [[nodiscard]] QString presumedText() const;
     void answer(bool isRight);
     [[nodiscard]] QString sees() const;
     [[nodiscard]] QString question() const;
@@ -77,6 +81,7 @@ private:
     QLabel *m_sees;
     QProgressBar *m_progress;
     SimulatedHands *m_hands;
+    QPushButton *m_same;
     QPushButton *m_begin;
     QPushButton *m_anew;
     QPushButton *m_cancel;

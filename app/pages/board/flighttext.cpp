@@ -51,6 +51,11 @@ QString FlightPage::barText(ArmingBar bar) const
     case ArmingBar::Silent: return tr("nothing has come from it for a second.");
     case ArmingBar::NoState: return tr("it does not say whether it is armed.");
     case ArmingBar::Unchecked:
+        if (presumedDirections(workspace()).found.level != CheckedDirections::Level::Nothing)
+            return tr("nobody has said that it is “%1”, whose directions were checked: another drone may "
+                      "look "
+                      "the same.")
+                .arg(workspace().naming().name());
         return droneDirections(workspace()).level == CheckedDirections::Level::All
             ? tr("its directions have not been checked with these sticks as they are assigned now.")
             : tr("its directions have not been checked.");
