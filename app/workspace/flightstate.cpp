@@ -139,6 +139,13 @@ void keepDirections(Workspace &workspace, const CheckedDirections &found)
     }
 }
 
+void dropDirections(Workspace &workspace)
+{
+    workspace.naming().untilReconnected().clear();
+    if (const QString board = workspace.naming().presumedKey(); !board.isEmpty())
+        workspace.settings().dropDirections(board);
+}
+
 void keepDirectionsByName(Workspace &workspace)
 {
     const QString board = workspace.naming().lastingKey();

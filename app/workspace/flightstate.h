@@ -33,6 +33,8 @@ struct PresumedDirections
 [[nodiscard]] CheckedDirections droneDirections(Workspace &workspace);
 /// Keeps it for this board; until the next connection where nobody has said which one it is.
 void keepDirections(Workspace &workspace, const CheckedDirections &found);
+/// Another program may count its axes otherwise: nothing that was found before holds.
+void dropDirections(Workspace &workspace);
 /// The board has a name now: what was kept until the next connection is kept with it.
 void keepDirectionsByName(Workspace &workspace);
 /// Degrees as the board tells them. NaN: before a calibration, when it tells 0 or what it was long ago.

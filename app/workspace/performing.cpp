@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Actions of a board, and what the models know of it afterwards.
+#include "app/workspace/flightstate.h"
 #include "app/workspace/workspace.h"
 #include "protocol/base/linkloss.h"
 #include "protocol/configuration/aftermath.h"
@@ -64,6 +65,9 @@ QFuture<Result<ActionOutcome>> Workspace::performNow(const QString &key, const Q
     m_unstoppable = action.silence > 0ms ? &*it : m_unstoppable;
     if (action.risk != ActionRisk::Safe)
         forgetStop();
+    // Before it begins: whether it comes to its end may never be known.
+    if (action.risk == ActionRisk::Destroys && !axesKey(*this).isEmpty())
+        dropDirections(*this);
     if (action.isProcedure)
         m_live.hold();
     return endWhatGoesOn(

@@ -294,3 +294,13 @@ void Settings::setCheckedDirections(const QString &board, const QByteArray &axes
     m_file.sync();
     emit changed();
 }
+
+void Settings::dropDirections(const QString &board)
+{
+    for (const QString &key : m_file.allKeys()) {
+        if (key == kDirections + board || key.startsWith(kDirections + board + u'-'))
+            m_file.remove(key);
+    }
+    m_file.sync();
+    emit changed();
+}

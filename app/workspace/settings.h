@@ -104,6 +104,8 @@ public:
     /// they depend on (FlyingMachine::axesKey); empty: nothing.
     [[nodiscard]] QByteArray checkedDirections(const QString &board, const QByteArray &axesKey) const;
     void setCheckedDirections(const QString &board, const QByteArray &axesKey, const QByteArray &found);
+    /// Nothing of it is checked, whatever its axes depend on and its sticks were pushed with.
+    void dropDirections(const QString &board);
 
     /// What is wrong with the file: it cannot be read, or values that somebody edited make no sense. These
     /// have their defaults, or the nearest value that is possible.

@@ -128,6 +128,7 @@ QByteArray Device::axesKey(const Configuration &configuration) const
             signs += gain.value < 0 ? '-' : '+';
         text.replace(gains->front().from, gains->back().to - gains->front().from, signs);
     }
+    text += configuration.identity().firmware.toUtf8();
     return QCryptographicHash::hash(text, QCryptographicHash::Sha1).toHex();
 }
 

@@ -31,8 +31,8 @@ public:
     [[nodiscard]] virtual const char *refusal() const = 0;
     /// The action without which it cannot be armed, where it lacks it (ArmingBar::NotCalibrated).
     [[nodiscard]] virtual const char *calibration() const = 0;
-    /// What of a configuration decides how its axes are counted and its motors take part. Where it changes,
-    /// the directions have to be checked anew.
+    /// What of a configuration, and of the program that it was read from, decides how its axes are counted
+    /// and its motors take part. Where it changes, the directions have to be checked anew.
     [[nodiscard]] virtual QByteArray axesKey(const Configuration &configuration) const = 0;
     /// Whether it may be told this now; where that depends on its state it is asked. On the worker. Errors:
     /// ConditionUnmet (it is armed or calibrates), those of the channel.

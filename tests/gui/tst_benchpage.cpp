@@ -9,6 +9,7 @@
 #include "app/pages/board/flightpage.h"
 #include "app/pages/watch/dashboardpage.h"
 #include "app/pages/watch/flightoverview.h"
+#include "app/workspace/flightstate.h"
 #include "protocol/base/filefault.h"
 #include "protocol/bcflight/messages.h"
 #include "protocol/bcflight/payloads.h"
@@ -53,6 +54,7 @@ private slots:
     void fileIsLookedAtFirst();
     void firmwareNeedsABattery();
     void firmwareIsUploaded();
+    void anotherFirmwareIsCheckedAnew();
     void cancelSaysWhatIsLeft();
     void phasesOfTheControllersAreShown();
     void controllersAreCalibratedUntilTheRedButton();
@@ -434,6 +436,29 @@ void TestBenchPage::firmwareIsUploaded()
     // And the window knows it.
     QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && m_rig->client().identity().firmware == u"7.7"_s,
                              kPatience);
+}
+
+// It may count its axes otherwise, even where it tells the same version.
+void TestBenchPage::anotherFirmwareIsCheckedAnew()
+{
+    QTRY_VERIFY_WITH_TIMEOUT(!axesKey(m_rig->workspace()).isEmpty(), kPatience);
+    CheckedDirections all;
+    all.level = CheckedDirections::Level::All;
+    keepDirections(m_rig->workspace(), all);
+    QVERIFY(calibrate());
+    QCOMPARE(checkedDirections(m_rig->workspace()), all);
+    FirmwareCard *card = bench().firmware();
+    card->choose(firmwareFile(u"same.bin"_s, 20000, "1.0"));
+    QTRY_VERIFY(card->uploadButton()->isEnabled());
+    QTest::mouseClick(card->uploadButton(), Qt::LeftButton);
+    QVERIFY(confirm(u"The file was made for this drone"_s));
+    QTRY_VERIFY_WITH_TIMEOUT(card->said().contains(u"do not switch it off"_s), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!card->isRunning(), 2 * kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && !axesKey(m_rig->workspace()).isEmpty(),
+                             kPatience);
+    QCOMPARE(m_rig->client().identity().firmware, u"1.0"_s);
+    QCOMPARE(checkedDirections(m_rig->workspace()).level, CheckedDirections::Level::Nothing);
+    QCOMPARE(droneDirections(m_rig->workspace()).level, CheckedDirections::Level::Nothing);
 }
 
 void TestBenchPage::cancelSaysWhatIsLeft()

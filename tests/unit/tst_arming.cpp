@@ -791,6 +791,11 @@ void TestArming::configurationDecidesWhetherItIsKnown()
     QCOMPARE(with("PID( 90, 25, 80 )", "PID( 95, 20, 81.5 )"), key);
     QVERIFY(with("PID( 90, 25, 80 )", "PID( -90, 25, 80 )") != key);
     QVERIFY(with("Vector( 1.0, -1.0, -1.0, 1.0 )", "Vector( -1.0, -1.0, -1.0, 1.0 )") != key);
+    BoardIdentity newer = whole->identity();
+    newer.firmware = u"7.7"_s;
+    Configuration updated(newer, flown.device.parameters());
+    updated.setBlock({0, bcflight::ConfigurationText}, text);
+    QVERIFY(flown.device.axesKey(updated) != key);
     QVERIFY(
         flown.device.axesKey(Configuration(flown.device.identity(), flown.device.parameters())).isEmpty());
 }
