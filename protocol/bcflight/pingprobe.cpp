@@ -15,6 +15,7 @@ constexpr std::size_t kFewestPings = 4;
 constexpr int kFewestPackets = 20;  // per window: fewer are no measure
 constexpr double kWellAnswered = 0.7;
 constexpr int kThinInARow = 3;
+constexpr auto kFoundBy = 10s;  // longest time for which an answer to what has found the drone is under way
 constexpr std::size_t kSilentPings
     = 3;  // in a row: the drone is away or deaf, and its stream may be another then
 
@@ -98,6 +99,7 @@ void PingProbe::noteAsked(Message id, TimePoint now)
 void PingProbe::pingSent(std::uint16_t tick, TimePoint now)
 {
     m_pings.push_back({tick, now});
+    m_begun = m_begun.value_or(now);
     if (m_pings.size() > kRemembered)
         m_pings.pop_front();
     closeWindows(now);
@@ -116,7 +118,7 @@ void PingProbe::frameArrived(const FrameView &frame, TimePoint at)
     if (!message)
         return;
     if (message->isStreamed) {
-        countStream(at);
+        countStream(id);
         return;
     }
     if (!message->fromGround || id == Message::Unknown)
@@ -136,7 +138,10 @@ void PingProbe::pingArrived(Bytes payload, TimePoint at)
     const auto ours = std::find_if(m_pings.rbegin(), m_pings.rend(),
                                    [tick](const Ping &ping) { return ping.tick == tick; });
     if (ours == m_pings.rend()) {
-        noteForeign(at);
+        // The link was found by PINGs, of which this probe has not heard; their answers may be late.
+        const auto age = milliseconds(std::uint16_t(tickAt(at) - tick));
+        if (age > kFoundBy || (m_begun && at - age >= *m_begun))
+            noteForeign(at);
         return;
     }
     if (ours->isAnswered)
@@ -163,12 +168,10 @@ void PingProbe::noteForeign(TimePoint at)
     m_sharedAt = at;
 }
 
-void PingProbe::countStream(TimePoint at)
+// Packets that were late come at once: their time does not tell them apart.
+void PingProbe::countStream(Message id)
 {
-    if (at == m_packetAt)
-        return;  // of the same packet
-    m_packetAt = at;
-    ++m_packets;
+    m_packets = std::max(m_packets, ++m_streamed[id]);
 }
 
 void PingProbe::closeWindows(TimePoint now)
@@ -176,6 +179,7 @@ void PingProbe::closeWindows(TimePoint now)
     if (m_windowEnd == TimePoint{} || now - m_windowEnd > 3 * kWindow) {
         m_windowEnd = now + kWindow;
         m_packets = m_before = m_thinWindows = 0;
+        m_streamed.clear();
         return;
     }
     while (now >= m_windowEnd) {
@@ -195,6 +199,7 @@ void PingProbe::closeWindows(TimePoint now)
         if (m_thinWindows >= kThinInARow)
             m_sharedAt = now;
         m_before = std::exchange(m_packets, 0);
+        m_streamed.clear();
     }
 }
 

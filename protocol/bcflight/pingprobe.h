@@ -47,11 +47,12 @@ private:
     void noteAsked(Message id, TimePoint now);
     void forgetAbsence(std::deque<Ping>::iterator back);
     void noteForeign(TimePoint at);
-    void countStream(TimePoint at);
+    void countStream(Message id);
     void closeWindows(TimePoint now);
     [[nodiscard]] std::optional<double> answered(TimePoint now) const;
 
     std::deque<Ping> m_pings;  // the newest last
+    std::optional<TimePoint> m_begun;  // with the first of them
     std::optional<Duration> m_roundTrip;
     std::map<Message, TimePoint> m_asked;
     quint64 m_foreign = 0;
@@ -60,9 +61,9 @@ private:
 
     // Packets of the stream.
     TimePoint m_windowEnd{};
-    TimePoint m_packetAt{};
     TimePoint m_heardAt{};  // of anything
     Duration m_gap{};  // the longest between two words that ended in this window
+    std::map<Message, int> m_streamed;  // in this window; no packet has one of them twice
     int m_packets = 0;
     int m_before = 0;  // in the window before
     int m_usual = 0;  // in two windows in a row, at best

@@ -28,11 +28,12 @@ struct Rig
     double streamShare = 1;  // of the packets that come here
     bool answers = true;
     bool isHeld = false;  // what is on its way comes when it is not any more, all at once
+    milliseconds bunch{0};  // so often it delivers what it has, all at once
     QList<QByteArray> held;
 
     void arrive(const QByteArray &bytes, TimePoint at)
     {
-        if (isHeld) {
+        if (isHeld || (bunch > 0ms && at.time_since_epoch() % bunch >= 10ms)) {
             held.append(bytes);
             return;
         }
@@ -95,6 +96,8 @@ private slots:
     void aThinStreamByOurOwnWishIsNone();
     void aDroneThatRestartsIsNobodyElse();
     void lossOnBothWaysIsNobodyElse();
+    void lateInBunchesIsNobodyElse();
+    void lateAnswersOfTheSearchAreOurs();
     void aPauseIsNobodyElse_data();
     void aPauseIsNobodyElse();
     void valuesThatAreNoneAreCounted();
@@ -269,6 +272,42 @@ void TestBcflightLink::lossOnBothWaysIsNobodyElse()
     rig.streamShare = 0.7;
     rig.run(10s);
     QVERIFY(!rig.quality().isShared);
+}
+
+// A network that holds packets back delivers several at one time.
+void TestBcflightLink::lateInBunchesIsNobodyElse()
+{
+    Rig rig;
+    rig.roundTrip = 220ms;
+    rig.run(10s);
+    rig.bunch = 100ms;
+    for (int i = 0; i < 600; ++i) {
+        rig.run(1s);
+        QVERIFY2(!rig.quality().isShared, qPrintable(QString::number(i)));
+    }
+    QCOMPARE(rig.quality().answered, std::optional(1.0));
+    QCOMPARE(rig.quality().foreign, 0u);
+    // In bunches, too, what another one gets is missing.
+    rig.streamShare = 0.3;
+    rig.run(6s);
+    QVERIFY(rig.quality().isShared);
+}
+
+void TestBcflightLink::lateAnswersOfTheSearchAreOurs()
+{
+    Rig rig;
+    PingProbe search;
+    const QByteArray early = search.beat(rig.now);
+    rig.now += 250ms;
+    const QByteArray own = rig.beat();
+    rig.now += 300ms;
+    rig.arrive(early, rig.now);
+    rig.arrive(own, rig.now);
+    QCOMPARE(rig.quality().foreign, 0u);
+    QVERIFY(!rig.quality().isShared);
+    // Sent since the first of ours, and not by us.
+    rig.arrive(search.beat(rig.now - 100ms), rig.now);
+    QCOMPARE(rig.quality().foreign, 1u);
 }
 
 void TestBcflightLink::aPauseIsNobodyElse_data()
