@@ -6385,6 +6385,18 @@
         <source>the process that stops it if this program dies (gimbalguard, in this program&apos;s folder) has not started, or has ended.</source>
         <translation>der Prozess, der sie stoppt, wenn dieses Programm abbricht (gimbalguard, im Ordner dieses Programms), ist nicht gestartet oder hat geendet.</translation>
     </message>
+    <message>
+        <source>it was armed from here, and has not obeyed the disarming.</source>
+        <translation>sie wurde von hier scharf geschaltet und hat das Entschärfen nicht befolgt.</translation>
+    </message>
+    <message>
+        <source>its battery is below the limit of the alarm.</source>
+        <translation>ihr Akku ist unter der Grenze des Alarms.</translation>
+    </message>
+    <message>
+        <source>it is tilted by more than %1°. Put it level, or hold it in a test stand.</source>
+        <translation>sie ist um mehr als %1° geneigt. Stellen Sie sie waagerecht, oder halten Sie sie in einem Teststand.</translation>
+    </message>
 </context>
 <context>
     <name>FootBar</name>

@@ -84,6 +84,10 @@ ArmingBar ArmingSession::barBefore(const Known &known, const Sticks &sticks, Tim
         return ArmingBar::MotorsTurn;
     if (known.isShared)
         return ArmingBar::Shared;
+    if (known.isBatteryLow)
+        return ArmingBar::Battery;
+    if (!m_isHeld && known.tiltDeg > kMaxTilt)
+        return ArmingBar::Tilted;
     if (!sticks.isComplete)
         return ArmingBar::Unassigned;
     if (!known.isChecked)

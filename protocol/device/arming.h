@@ -24,6 +24,8 @@ enum class ArmingBar {
     Pushed,  ///< another stick is not in its middle
     Unassigned,  ///< what it is steered with lacks a stick
     Shared,  ///< another ground station talks to it
+    Battery,  ///< below the limit of its alarm
+    Tilted,  ///< farther than a machine stands that is about to take off
     NoSticks,  ///< what it is steered with has told nothing for 250 ms
     // Only ends:
     Operator,  ///< who let go, pressed disarm or closed the session
@@ -51,6 +53,9 @@ public:
     static constexpr auto kAnswer = 1500ms;  ///< in which it has to say that it is armed
     static constexpr auto kSilence = 1s;
     static constexpr auto kSticks = 250ms;
+    /// Degrees. Steeper than any ground from which it is started: it lies on its side, is carried, or its
+    /// calibration is wrong, and it would turn over or leave sideways. A stand may hold it as it likes.
+    static constexpr double kMaxTilt = 15;
     static constexpr double kMiddle = 0.1;  ///< of a stick that is not pushed
 
     enum class Phase {
@@ -76,6 +81,8 @@ public:
         bool isStopping = false;
         bool isChecked = false;
         bool isShared = false;  ///< another ground station talks to it
+        bool isBatteryLow = false;  ///< below the limit of its alarm
+        double tiltDeg = 0;  ///< roll or pitch, the larger
     };
     /// What the operator does, freshly read.
     struct Sticks

@@ -451,6 +451,13 @@ void TestBcflightWindow::lowBatteryIsSeenOnConnecting()
                            [](const AlarmReport &report) { return report.alarm.kind == AlarmKind::Battery; });
     };
     QTRY_VERIFY_WITH_TIMEOUT(warns(), kPatience);
+    // Nor is it armed so, not even in a stand.
+    const auto calibrated = rig.workspace().perform(u"calibrate.all"_s, {});
+    QTRY_VERIFY_WITH_TIMEOUT(calibrated.isFinished(), kPatience);
+    auto *flight = rig.page<FlightPage>();
+    flight->open(true);
+    QTRY_VERIFY2_WITH_TIMEOUT(flight->stateText().contains(u"its battery is below"_s),
+                              qPrintable(flight->stateText()), kPatience);
 }
 
 void TestBcflightWindow::anotherGroundIsTold()

@@ -116,6 +116,7 @@ private slots:
     void eachConditionKeepsItDisarmed();
     void eachConditionDisarms_data();
     void eachConditionDisarms();
+    void standMayHoldItTilted();
     void reArmingTakesANewPress();
     void aDisarmingInBetweenEndsIt();
     void eachSetpointAsksBeforeItArms();
@@ -197,6 +198,8 @@ void TestArming::eachConditionKeepsItDisarmed_data()
     row("pushed", Bar::Pushed, [](Pilot &pilot) { pilot.sticks.pushed = 0.2; });
     row("no stick for it", Bar::Unassigned, [](Pilot &pilot) { pilot.sticks.isComplete = false; });
     row("another ground", Bar::Shared, [](Pilot &pilot) { pilot.known.isShared = true; });
+    row("low battery", Bar::Battery, [](Pilot &pilot) { pilot.known.isBatteryLow = true; });
+    row("tilted", Bar::Tilted, [](Pilot &pilot) { pilot.known.tiltDeg = 22; });
     row("dead sticks", Bar::NoSticks, [](Pilot &pilot) { pilot.isFresh = false; });
 }
 
@@ -242,7 +245,7 @@ void TestArming::eachConditionDisarms()
     // What concerns only the moment of arming disarms nothing that flies.
     if (Bar(wanted) == Bar::ArmedElsewhere || Bar(wanted) == Bar::MotorsTurn || Bar(wanted) == Bar::Unchecked
         || Bar(wanted) == Bar::Throttle || Bar(wanted) == Bar::Pushed || Bar(wanted) == Bar::Unassigned
-        || Bar(wanted) == Bar::Shared) {
+        || Bar(wanted) == Bar::Shared || Bar(wanted) == Bar::Battery || Bar(wanted) == Bar::Tilted) {
         change(pilot);
         pilot.steps(2s);
         QCOMPARE(pilot.sent, Send::Armed);
@@ -252,6 +255,19 @@ void TestArming::eachConditionDisarms()
     pilot.steps(1100ms);
     QCOMPARE(pilot.sent, Send::Nothing);
     QCOMPARE(int(pilot.session.ended()), wanted);
+}
+
+void TestArming::standMayHoldItTilted()
+{
+    Pilot pilot;
+    pilot.known.tiltDeg = 28;
+    pilot.session.open(false);
+    QCOMPARE(pilot.bar(), Bar::Tilted);
+    pilot.session.close();
+    pilot.session.open(true);
+    QCOMPARE(pilot.bar(), Bar::None);
+    pilot.known.isBatteryLow = true;
+    QCOMPARE(pilot.bar(), Bar::Battery);
 }
 
 void TestArming::reArmingTakesANewPress()

@@ -328,6 +328,12 @@ ArmingSession::Known FlightPage::known() const
     known.isStopping = client.isStopUnproven();
     const auto &quality = client.statistics().quality;
     known.isShared = quality && quality->isShared;
+    const QList<AlarmReport> open = workspace().alarms().pressing();
+    known.isBatteryLow = std::any_of(open.begin(), open.end(), [](const AlarmReport &report) {
+        return report.alarm.kind == AlarmKind::Battery;
+    });
+    for (const int angle : {roles.angle[0], roles.angle[1]})
+        known.tiltDeg = std::fmax(known.tiltDeg, std::abs(workspace().latest(angle)));
     using Level = CheckedDirections::Level;
     const Level level = m_directions->found().level;
     known.isChecked = m_directions->isChecking()

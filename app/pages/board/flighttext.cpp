@@ -6,6 +6,7 @@
 #include "app/workspace/question.h"
 #include "protocol/device/flight.h"
 #include "widgets/models/errortext.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QCheckBox>
@@ -72,6 +73,10 @@ QString FlightPage::barText(ArmingBar bar) const
         return tr(
             "the gamepad has no stick for throttle, roll, pitch or yaw. Assign it on the page “Gamepad”.");
     case ArmingBar::Shared: return tr("another ground station talks to it.");
+    case ArmingBar::Battery: return tr("its battery is below the limit of the alarm.");
+    case ArmingBar::Tilted:
+        return tr("it is tilted by more than %1°. Put it level, or hold it in a test stand.")
+            .arg(numberText(ArmingSession::kMaxTilt, 0));
     case ArmingBar::NoSticks: return tr("the sticks have told nothing for a quarter of a second.");
     case ArmingBar::Operator: return tr("by you.");
     case ArmingBar::NotArmed: return tr("it was told to arm, and did not say that it is armed.");
