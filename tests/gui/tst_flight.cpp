@@ -982,6 +982,15 @@ void TestFlight::disarmedIsNotStanding()
     QSignalSpy stopped(&m_rig->client(), &DeviceClient::motorsOffFinished);
     page().disarmButton()->click();
     QTRY_VERIFY_WITH_TIMEOUT(stopped.count() > 0, kPatience);
+    // It is armed still, and it was nobody else.
+    QVERIFY(isArmed());
+    QStringList told;
+    connect(&m_rig->workspace().notifications(), &Notifications::notice, this,
+            [&told](const QString &text) { told.append(text); });
+    page().sessionButton()->click();  // closes it
+    page().sessionButton()->click();
+    QVERIFY2(told.join(u' ').contains(u"has not obeyed"_s), qPrintable(told.join(u' ')));
+    disconnect(&m_rig->workspace().notifications(), nullptr, this, nullptr);
     QTcpSocket other;
     other.connectToHost(QHostAddress::LocalHost, tcp.split(':').last().toUShort());
     QTRY_COMPARE_WITH_TIMEOUT(other.state(), QAbstractSocket::ConnectedState, kPatience);

@@ -63,7 +63,9 @@ QString FlightPage::barText(ArmingBar bar) const
     case ArmingBar::NoPropellerWord: return tr("no control session is open.");
     case ArmingBar::NotCalibrated: return tr("it is not calibrated.");
     case ArmingBar::Calibrating: return tr("it is calibrating.");
-    case ArmingBar::ArmedElsewhere: return tr("it is armed already, and not from here.");
+    case ArmingBar::ArmedElsewhere:
+        return workspace().mayStillFly() ? tr("it was armed from here, and has not obeyed the disarming.")
+                                         : tr("it is armed already, and not from here.");
     case ArmingBar::MotorsTurn: return tr("its motors are driven although it is disarmed.");
     case ArmingBar::Busy: return tr("it is at work: a procedure or a write runs.");
     case ArmingBar::Stopping: return tr("its motors are being stopped, and it has not confirmed that.");
