@@ -1263,6 +1263,30 @@
         <source>A snapshot holds no calibration of the board&apos;s sensors: restoring one leaves that as it is.</source>
         <translation>Eine Sicherung enthält die Kalibrierung der Sensoren nicht: Beim Wiederherstellen bleibt diese, wie sie auf dem Board ist.</translation>
     </message>
+    <message>
+        <source>Is this the same board?</source>
+        <translation>Ist dies dasselbe Board?</translation>
+    </message>
+    <message>
+        <source>The snapshot is of “%1”. The board that is connected looks the same and has no serial number: it may be another one.</source>
+        <translation>Die Sicherung ist von „%1“. Das verbundene Board sieht gleich aus und hat keine Seriennummer: Es kann ein anderes sein.</translation>
+    </message>
+    <message>
+        <source>It is “%1”</source>
+        <translation>Es ist „%1“</translation>
+    </message>
+    <message>
+        <source>It is another one…</source>
+        <translation>Es ist ein anderes …</translation>
+    </message>
+    <message>
+        <source>Do not restore</source>
+        <translation>Nicht wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Taken for “%1”, a board that looks the same. It has no serial number.</source>
+        <translation>Für „%1“ gehalten, ein Board, das gleich aussieht. Es hat keine Seriennummer.</translation>
+    </message>
 </context>
 <context>
     <name>BatteryView</name>
@@ -2315,12 +2339,20 @@
 <context>
     <name>Confirmations</name>
     <message>
-        <source>“%1” has to be confirmed each time.</source>
-        <translation>„%1“ muss jedes Mal bestätigt werden.</translation>
+        <source>Nothing stops it meanwhile, neither the red button nor F12: only taking its battery away does.</source>
+        <translation>Nichts hält das zwischendurch an, weder der rote Knopf noch F12: nur das Abziehen des Akkus.</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
+        <source>Whoever goes on confirms: “%1”.</source>
+        <translation>Wer fortfährt, bestätigt: „%1“.</translation>
+    </message>
+    <message>
+        <source>Do nothing</source>
+        <translation>Nichts tun</translation>
+    </message>
+    <message>
+        <source>“%1” is not asked any more: the board is not as it has to be for that.</source>
+        <translation>„%1“ wird nicht mehr gefragt: Der Controller ist nicht so, wie er dafür sein muss.</translation>
     </message>
 </context>
 <context>
@@ -2995,6 +3027,26 @@
     <message>
         <source>This stick is sent the other way.</source>
         <translation>Dieser Stick wird umgekehrt gesendet.</translation>
+    </message>
+    <message>
+        <source>Checked, until another connection is made: it has no serial number. If it is “%1”, say so, and it is kept.</source>
+        <translation>Geprüft, bis eine andere Verbindung hergestellt wird: Sie hat keine Seriennummer. Ist es „%1“, dann sagen Sie es, und das Ergebnis bleibt.</translation>
+    </message>
+    <message>
+        <source>Checked for “%1” on %2.</source>
+        <translation>Für „%1“ am %2 geprüft.</translation>
+    </message>
+    <message>
+        <source>Checked for “%1”.</source>
+        <translation>Für „%1“ geprüft.</translation>
+    </message>
+    <message>
+        <source>Is this the same drone? It has no serial number, and another one may look the same. Until you say so, or have checked it, it is not armed.</source>
+        <translation>Ist dies dieselbe Drohne? Sie hat keine Seriennummer, und eine andere kann gleich aussehen. Bis Sie das sagen oder sie geprüft haben, wird sie nicht scharf geschaltet.</translation>
+    </message>
+    <message>
+        <source>It is “%1”</source>
+        <translation>Es ist „%1“</translation>
     </message>
 </context>
 <context>
@@ -6198,10 +6250,6 @@
         <translation>Sie wird gehalten: erlauben</translation>
     </message>
     <message>
-        <source>Disarm first</source>
-        <translation>Zuerst entschärfen</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -6232,10 +6280,6 @@
     <message>
         <source>It is told to arm.</source>
         <translation>Sie wird scharf geschaltet.</translation>
-    </message>
-    <message>
-        <source>Armed from here. Leaving this page or window, a lost link and %1 s without a movement disarm it.</source>
-        <translation>Von hier scharf geschaltet. Diese Seite oder das Fenster zu verlassen, eine verlorene Verbindung und %1 s ohne Bewegung entschärfen sie.</translation>
     </message>
     <message>
         <source>Ready: hold the key for a second to arm it.</source>
@@ -6396,6 +6440,22 @@
     <message>
         <source>it is tilted by more than %1°. Put it level, or hold it in a test stand.</source>
         <translation>sie ist um mehr als %1° geneigt. Stellen Sie sie waagerecht, oder halten Sie sie in einem Teststand.</translation>
+    </message>
+    <message>
+        <source>Armed from here. Leaving this page or window, a question, list or text field that takes the sticks’ place, a lost link and %1 s without a movement disarm it.</source>
+        <translation>Von hier scharf geschaltet. Das Verlassen dieser Seite oder dieses Fensters, eine Frage, eine Liste oder ein Textfeld an Stelle der Knüppel, eine verlorene Verbindung und %1 s ohne eine Bewegung entschärfen sie.</translation>
+    </message>
+    <message>
+        <source>nobody has said that it is “%1”, whose directions were checked: another drone may look the same.</source>
+        <translation>niemand hat gesagt, dass es „%1“ ist, deren Richtungen geprüft wurden: Eine andere Drohne kann gleich aussehen.</translation>
+    </message>
+    <message>
+        <source>a question, a list or a text field has taken the sticks’ place.</source>
+        <translation>Eine Frage, eine Liste oder ein Textfeld ist an die Stelle der Knüppel getreten.</translation>
+    </message>
+    <message>
+        <source>Leave it off</source>
+        <translation>Ausgeschaltet lassen</translation>
     </message>
 </context>
 <context>
@@ -7251,6 +7311,14 @@
     <message>
         <source>It did not confirm that it is disarmed, and may go on with its last throttle.</source>
         <translation>Sie hat nicht bestätigt, dass sie entschärft ist, und behält vielleicht ihr letztes Gas bei.</translation>
+    </message>
+    <message>
+        <source>“%1” has not ended</source>
+        <translation>„%1“ läuft noch</translation>
+    </message>
+    <message>
+        <source>It cannot be cancelled from here, and goes on without this program: only taking its battery away ends it before.</source>
+        <translation>Das lässt sich von hier nicht abbrechen und läuft ohne dieses Programm weiter: Nur das Abziehen des Akkus beendet es vorher.</translation>
     </message>
 </context>
 <context>
@@ -22055,6 +22123,18 @@ Auf dem Board: %1</translation>
     <message>
         <source>Read the board again; if parts keep missing, check its cable or network, and its power.</source>
         <translation>Das Board noch einmal lesen; fehlen weiter Teile, Kabel oder Netz und Versorgung prüfen.</translation>
+    </message>
+    <message>
+        <source>“%1” is not begun: a control session is open in which the propellers are on.</source>
+        <translation>„%1“ wird nicht begonnen: Es ist eine Steuersitzung offen, in der die Propeller dran sind.</translation>
+    </message>
+    <message>
+        <source>It turns motors, and may only do so without propellers.</source>
+        <translation>Das dreht Motoren und darf es nur ohne Propeller.</translation>
+    </message>
+    <message>
+        <source>Close the session on the page “Flight”, and take the propellers off.</source>
+        <translation>Die Sitzung auf der Seite „Flug“ schließen und die Propeller abnehmen.</translation>
     </message>
 </context>
 </TS>

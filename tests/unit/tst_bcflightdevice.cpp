@@ -4,6 +4,7 @@
 #include "protocol/bcflight/luacheck.h"
 #include "protocol/bcflight/luatext.h"
 #include "protocol/procedure/writeconfiguration.h"
+#include "protocol/record/configurationformats.h"
 #include "protocol/session/stopplan.h"
 #include "protocol/telemetry/telemetryplan.h"
 #include "tests/support/channelproxy.h"
