@@ -15,6 +15,8 @@ constexpr std::size_t kFewestPings = 4;
 constexpr int kFewestPackets = 20;  // per window: fewer are no measure
 constexpr double kWellAnswered = 0.7;
 constexpr int kThinInARow = 3;
+constexpr int kFewestGaps = 3;  // per window
+constexpr double kMostRegained = 0.8;
 constexpr auto kFoundBy = 10s;  // longest time for which an answer to what has found the drone is under way
 constexpr std::size_t kSilentPings
     = 3;  // in a row: the drone is away or deaf, and its stream may be another then
@@ -108,13 +110,16 @@ void PingProbe::pingSent(std::uint16_t tick, TimePoint now)
 void PingProbe::frameArrived(const FrameView &frame, TimePoint at)
 {
     closeWindows(at);
-    m_gap = std::max(m_gap, at - std::exchange(m_heardAt, at));
     const auto id = Message(frame.id);
+    const MessageSpec *message = frame.id == kDiscarded ? nullptr : findMessage(id);
+    const Duration gap = at - std::exchange(m_heardAt, at);
+    m_gap = std::max(m_gap, gap);
+    if (message)
+        noteGap(id, message->isStreamed, gap);
     if (id == Message::Ping) {
         pingArrived(frame.payload, at);
         return;
     }
-    const MessageSpec *message = frame.id == kDiscarded ? nullptr : findMessage(id);
     if (!message)
         return;
     if (message->isStreamed) {
@@ -174,11 +179,31 @@ void PingProbe::countStream(Message id)
     m_packets = std::max(m_packets, ++m_streamed[id]);
 }
 
+// Answer and stream come back together, either of them first.
+void PingProbe::noteGap(Message id, bool isStreamed, Duration gap)
+{
+    if (gap >= kTaken) {
+        ++m_gaps;
+        m_isRegaining = true;
+        m_sinceGap.reset();
+    }
+    if (!m_isRegaining)
+        return;
+    if (!isStreamed) {
+        ++m_regained;
+        m_isRegaining = false;
+    } else if (m_sinceGap == id)
+        m_isRegaining = false;
+    else
+        m_sinceGap = m_sinceGap.value_or(id);
+}
+
 void PingProbe::closeWindows(TimePoint now)
 {
     if (m_windowEnd == TimePoint{} || now - m_windowEnd > 3 * kWindow) {
         m_windowEnd = now + kWindow;
         m_packets = m_before = m_thinWindows = 0;
+        m_gaps = m_regained = m_takenWindows = 0;
         m_streamed.clear();
         return;
     }
@@ -196,7 +221,12 @@ void PingProbe::closeWindows(TimePoint now)
         const bool isThin = !isAway && !hasPaused && m_usual >= kFewestPackets && m_packets < kThin * m_usual
             && answered(now).value_or(0) >= kWellAnswered;
         m_thinWindows = isThin ? m_thinWindows + 1 : 0;
-        if (m_thinWindows >= kThinInARow)
+        // A network that stalls goes on with the stream: what we ask is the smaller part of what comes.
+        const bool isTaken = !isAway && m_packets >= kFewestPackets && m_gaps >= kFewestGaps
+            && m_regained >= kMostRegained * m_gaps;
+        m_takenWindows = isTaken ? m_takenWindows + 1 : 0;
+        m_gaps = m_regained = 0;
+        if (m_thinWindows >= kThinInARow || m_takenWindows >= kThinInARow)
             m_sharedAt = now;
         m_before = std::exchange(m_packets, 0);
         m_streamed.clear();

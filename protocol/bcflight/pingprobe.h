@@ -13,8 +13,9 @@ namespace bcflight {
 /// The truth of a link to a drone, from its PING (errata 3) and from what it answers.
 ///
 /// The drone sends answers and stream to whoever sent last (errata 2.1). So a second ground shows itself
-/// here: by answers to PINGs with ticks that are not ours, by answers to what was not asked, and by a stream
-/// that thins out although our own PINGs are answered.
+/// here: by answers to PINGs with ticks that are not ours, by answers to what was not asked, by a stream that
+/// thins out although our own PINGs are answered, and, whoever was there first, by a stream that stops again
+/// and again and comes back with the answer to what we have sent.
 class PingProbe final : public LinkProbe
 {
 public:
@@ -24,6 +25,7 @@ public:
     static constexpr auto kAnswerable = 60s;  ///< longest time between a question and its answer
     static constexpr auto kWindow = 1s;  ///< in which the stream is counted
     static constexpr double kThin = 0.6;  ///< share of the stream's rate below which it is thinned out
+    static constexpr auto kTaken = 50ms;  ///< without a word: the stream may have gone to somebody else
     static constexpr auto kPause = 600ms;  ///< without a word: then the link paused, and nobody took anything
 
     /// The clock in ms, low 16 bits.
@@ -48,6 +50,7 @@ private:
     void forgetAbsence(std::deque<Ping>::iterator back);
     void noteForeign(TimePoint at);
     void countStream(Message id);
+    void noteGap(Message id, bool isStreamed, Duration gap);
     void closeWindows(TimePoint now);
     [[nodiscard]] std::optional<double> answered(TimePoint now) const;
 
@@ -68,6 +71,11 @@ private:
     int m_before = 0;  // in the window before
     int m_usual = 0;  // in two windows in a row, at best
     int m_thinWindows = 0;
+    int m_gaps = 0;  // of kTaken in this window
+    int m_regained = 0;  // of them, those that an answer has ended
+    bool m_isRegaining = false;  // since a gap no more than one packet of the stream has come
+    std::optional<Message> m_sinceGap;  // with which that one begins
+    int m_takenWindows = 0;
 };
 
 }  // namespace bcflight

@@ -11,6 +11,8 @@
 #include <QTest>
 
 #include <cmath>
+#include <map>
+#include <random>
 
 using namespace Qt::StringLiterals;
 using namespace bcflight;
@@ -77,6 +79,62 @@ struct Rig
     [[nodiscard]] ProbedLink quality() const { return probe.quality(now); }
 };
 
+/// A drone that streams to whoever sent last, behind a network that delays, loses, doubles and reorders.
+struct Network
+{
+    Rig rig;
+    milliseconds othersPeriod{0};  // 0: nobody else is there
+    milliseconds delay{10};
+    double loss = 0;
+    double doubled = 0;
+    double stalls = 0;  // probability per 10 ms that nothing comes for 250 ms, and then all of it
+    std::mt19937 random{7};
+    std::multimap<TimePoint, QByteArray> under;
+    TimePoint stalledUntil{};
+    bool isOurs = true;
+    int step = 0;
+
+    [[nodiscard]] bool happens(double probability)
+    {
+        return std::uniform_real_distribution<>(0, 1)(random) < probability;
+    }
+    void send(const QByteArray &bytes)
+    {
+        const auto late = delay + 10ms * std::uniform_int_distribution<>(0, delay > 100ms ? 3 : 0)(random);
+        if (!happens(loss))
+            under.emplace(rig.now + late, bytes);
+        if (happens(doubled))
+            under.emplace(rig.now + late + 20ms, bytes);
+    }
+    void run(milliseconds time)
+    {
+        for (const TimePoint end = rig.now + time; rig.now < end; rig.now += 10ms) {
+            ++step;
+            if (othersPeriod > 0ms && step % (othersPeriod / 10ms) == 0)
+                isOurs = false;
+            if (step % 25 == 0) {
+                isOurs = true;
+                send(rig.beat());
+            }
+            if (step % 20 == 7) {
+                isOurs = true;
+                rig.probe.sent(asBytes(encode(Message::Status)), rig.now);
+                send(QByteArray::fromHex("8500000002"));
+            }
+            if (isOurs)
+                send(QByteArray::fromHex("001b3f800000001200000000"));
+            if (happens(stalls))
+                stalledUntil = rig.now + 250ms;
+            if (rig.now < stalledUntil)
+                continue;
+            while (!under.empty() && under.begin()->first <= rig.now) {
+                rig.arrive(under.begin()->second, rig.now);
+                under.erase(under.begin());
+            }
+        }
+    }
+};
+
 }  // namespace
 
 class TestBcflightLink : public QObject
@@ -97,6 +155,8 @@ private slots:
     void aDroneThatRestartsIsNobodyElse();
     void lossOnBothWaysIsNobodyElse();
     void lateInBunchesIsNobodyElse();
+    void whoeverCameFirstIsToldOfTheOther();
+    void badNetworkIsNobodyElse();
     void lateAnswersOfTheSearchAreOurs();
     void aPauseIsNobodyElse_data();
     void aPauseIsNobodyElse();
@@ -291,6 +351,38 @@ void TestBcflightLink::lateInBunchesIsNobodyElse()
     rig.streamShare = 0.3;
     rig.run(6s);
     QVERIFY(rig.quality().isShared);
+}
+
+// Errata 2.1: answers and stream go to whoever sent last. Here is the window that came second: it has never
+// seen the whole stream.
+void TestBcflightLink::whoeverCameFirstIsToldOfTheOther()
+{
+    Network network;
+    network.othersPeriod = 130ms;
+    network.run(6s);
+    QVERIFY(network.rig.quality().isShared);
+    for (int i = 0; i < 60; ++i) {
+        network.run(1s);
+        QVERIFY2(network.rig.quality().isShared, qPrintable(QString::number(i)));  // as long as it is there
+    }
+    network.othersPeriod = 0ms;
+    network.run(PingProbe::kShareMemory + 3s);
+    QVERIFY(!network.rig.quality().isShared);
+}
+
+void TestBcflightLink::badNetworkIsNobodyElse()
+{
+    Network network;
+    network.delay = 300ms;
+    network.loss = 0.05;
+    network.doubled = 0.02;
+    network.stalls = 0.004;
+    for (int i = 0; i < 1200; ++i) {
+        network.run(1s);
+        QVERIFY2(!network.rig.quality().isShared, qPrintable(QString::number(i)));
+    }
+    QCOMPARE(network.rig.quality().foreign, 0u);
+    QVERIFY(network.rig.quality().answered > 0.8);
 }
 
 void TestBcflightLink::lateAnswersOfTheSearchAreOurs()
