@@ -219,7 +219,7 @@ QString DirectionCard::presumedText() const
         return {};
     const QString name = m_workspace.naming().name();
     const QString checked = presumed.on.isValid()
-        ? tr("Checked for “%1” on %2.").arg(name, QLocale().toString(presumed.on, QLocale::ShortFormat))
+        ? tr("Checked for “%1” on %2.").arg(name, numberLocale().toString(presumed.on, QLocale::ShortFormat))
         : tr("Checked for “%1”.").arg(name);
     return checked + u' '
         + tr("Is this the same drone? It has no serial number, and another one may look the same. Until you "
