@@ -124,6 +124,7 @@ private slots:
     void armedTheKeysAreForTheSticks();
     void gamepadSteersAndItsLossDisarms();
     void spaceDisarmsWhereverTheKeyboardIs();
+    void disarmStopsWhatSomebodyElseHasArmed();
     void gainsDisarmFirst();
     void stepIsMeasuredInAStand();
     void closingIsRefusedWhileArmed();
@@ -847,6 +848,17 @@ void TestFlight::spaceDisarmsWhereverTheKeyboardIs()
     QTest::keyClick(list, Qt::Key_Space);
     QVERIFY(isSoon(m_rig->client().roles().armed, 0));
     QCOMPARE(page().session().ended(), ArmingBar::Operator);
+}
+
+void TestFlight::disarmStopsWhatSomebodyElseHasArmed()
+{
+    const bcflight::Controls armed{.thrust = 0.3, .arm = true};
+    post(encode(bcflight::Message::Controls, armed.encode(bcflight::Generation::G), bcflight::Generation::G));
+    QVERIFY(isSoon(m_rig->client().roles().armed, 1));
+    QTRY_VERIFY_WITH_TIMEOUT(page().disarmButton()->isEnabled(), kPatience);
+    QTest::mouseClick(page().disarmButton(), Qt::LeftButton);
+    QVERIFY(isSoon(m_rig->client().roles().armed, 0));
+    QVERIFY(isSoon(m_rig->client().roles().outputs, 0));
 }
 
 void TestFlight::gainsDisarmFirst()

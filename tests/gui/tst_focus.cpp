@@ -15,6 +15,7 @@
 #include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/argumentform.h"
+#include "widgets/forms/clickshield.h"
 #include "widgets/forms/keyboard.h"
 #include "widgets/forms/panel.h"
 
@@ -186,6 +187,7 @@ void TestFocus::paletteLeadsIntoThePage()
                 if (list->item(row)->text().contains(u":  "_s + pageText(entry.title) + u"   "_s))
                     list->setCurrentRow(row);
             }
+            QTRY_VERIFY(!window().findChild<ClickShield *>());
             QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
             QCOMPARE(window().navigation()->currentPage(), key);
             VERIFY_FOCUS(key);
@@ -342,6 +344,7 @@ void TestFocus::enterPressesTheButton()
     QDialog *asked = askInPanel(
         {u"Which?"_s, u"Text."_s, {{u"This"_s, [&chosen] { chosen = true; }}}, u"None"_s}, &window());
     QVERIFY(asked);
+    QTRY_VERIFY(!window().findChild<ClickShield *>());
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
     QTRY_VERIFY(!window().panels()->isOpen());
     QVERIFY(!chosen);

@@ -14,6 +14,7 @@
 #include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/clickshield.h"
 #include "widgets/forms/latebutton.h"
 #include "widgets/forms/panel.h"
 #include "widgets/forms/parameterform.h"
@@ -247,6 +248,7 @@ void TestMainWindow::editReviewWriteByKeyboard()
     QTest::keyClick(m_window, Qt::Key_S, Qt::ControlModifier);
     QTRY_VERIFY(m_window->reviewDialog());
     QSignalSpy finished(&m_window->workspace(), &Workspace::writeFinished);
+    QTRY_VERIFY(!m_window->findChild<ClickShield *>());
     QTest::keyClick(m_window->reviewDialog(), Qt::Key_Return);
     QTRY_COMPARE(finished.count(), 1);
     QCOMPARE(raw(u"pid.pitch.d"_s), 61);
@@ -398,6 +400,7 @@ void TestMainWindow::enterAloneWritesNoRisk()
     m_window->review();
     QTRY_VERIFY(m_window->reviewDialog());
     QSignalSpy finished(&m_window->workspace(), &Workspace::writeFinished);
+    QTRY_VERIFY(!m_window->findChild<ClickShield *>());
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
     QTest::keyClick(m_window->reviewDialog(), Qt::Key_Return);
     QVERIFY(m_rig->isSettled());

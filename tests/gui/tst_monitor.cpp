@@ -14,6 +14,7 @@
 #include "tests/support/named.h"
 #include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/clickshield.h"
 #include "widgets/forms/filterrows.h"
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/valueeditor.h"
@@ -281,6 +282,7 @@ void TestMonitor::notchTakesTheResonanceAway()
     QSignalSpy offers(&m_rig->workspace().notifications(), &Notifications::offer);
     QTest::mouseClick(page->notchButton(), Qt::LeftButton);
     QTRY_VERIFY(question());
+    QTRY_VERIFY(!m_rig->window().findChild<ClickShield *>());
     QTest::keyClick(question(), Qt::Key_Return);
     QVERIFY(m_rig->workspace().notches().isRunning());
     QTRY_COMPARE(page->notchButton()->text(), u"End the trial"_s);

@@ -29,6 +29,7 @@
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/argumentform.h"
+#include "widgets/forms/clickshield.h"
 #include "widgets/forms/filtertable.h"
 #include "widgets/forms/liveslider.h"
 #include "widgets/forms/numberbox.h"
@@ -222,6 +223,7 @@ void TestPages::profileSavedAndLoaded()
     QTRY_VERIFY(window().panels()->isOpen());
     auto *dialog = window().panels()->findChild<QDialog *>();
     dialog->findChild<QListWidget *>()->setCurrentRow(1);
+    QTRY_VERIFY(!window().findChild<ClickShield *>());
     QTest::keyClick(dialog->findChild<QListWidget *>(), Qt::Key_Return);
     QTRY_COMPARE(m_rig->model().value(m_rig->spec(u"pid.yaw.p"_s), 2), 77);
     QVERIFY(m_rig->model().value(m_rig->spec(u"pid.yaw.p"_s), 1) != 77);
@@ -929,6 +931,8 @@ void TestPages::paletteFindsEverything()
         const QString first = window().commandPalette()->list()->count()
             ? window().commandPalette()->list()->item(0)->text()
             : QString();
+        if (!QTest::qWaitFor([this] { return !window().findChild<ClickShield *>(); }))
+            return QString();
         QTest::keyClick(window().commandPalette()->input(), Qt::Key_Return);
         return first;
     };
