@@ -481,14 +481,6 @@ QCheckBox *FlightPage::padChoice() const
     return m_gamepad->choice();
 }
 
-void FlightPage::open(bool held)
-{
-    followSystem();
-    m_session.open(held);
-    workspace().setPropellersOn(held);
-    showState();
-}
-
 void FlightPage::closeSession()
 {
     workspace().setPropellersOn(false);

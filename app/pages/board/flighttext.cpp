@@ -101,6 +101,14 @@ QString FlightPage::barText(ArmingBar bar) const
     return {};
 }
 
+void FlightPage::open(bool held)
+{
+    followSystem();
+    m_session.open(held);
+    workspace().setPropellersOn(held);
+    showState();
+}
+
 void FlightPage::askToOpen()
 {
     if (known().isArmed.value_or(false)) {
