@@ -129,7 +129,6 @@ void MainWindow::connectFrame()
                 connect(&confirmations, &Confirmations::withdrawn, panel, &QDialog::reject);
                 connect(panel, &QDialog::finished, &confirmations, over, Qt::QueuedConnection);
             });
-    // What was asked on a page is not answered from another one.
     connect(m_stack, &QStackedWidget::currentChanged, &confirmations, &Confirmations::withdraw);
     m_status->follow(*m_keys);
     m_keys->serve(*m_linkBar->motorsButton());

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/workspace/decision.h"
 #include "app/workspace/notifications.h"
-#include "app/workspace/question.h"
 #include "protocol/procedure/safeaction.h"
 
 #include <QFuture>

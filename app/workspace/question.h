@@ -2,30 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QList>
-#include <QString>
-
-#include <functional>
+#include "app/workspace/decision.h"
 
 class QDialog;
 class QWidget;
 class Workspace;
-
-/// Something to decide before it goes on.
-struct Question
-{
-    struct Answer
-    {
-        QString text;  ///< what the button does, in its words
-        std::function<void()> chosen;
-        bool loses = false;  ///< something that cannot be had back
-    };
-    QString title;
-    QString text;
-    QList<Answer> answers;
-    QString stay;  ///< the way out, which is what Return and Esc do
-    QString whole{};  ///< what the text cuts short, as a tooltip
-};
 
 /// Asks in a panel of that widget's window. @return the panel, which destroys itself; whoever asks rejects
 /// it when there is nothing left to decide
