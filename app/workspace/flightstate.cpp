@@ -158,12 +158,17 @@ void keepDirectionsByName(Workspace &workspace)
     passing.clear();
 }
 
+namespace {
+
+// NaN before a calibration, when the board tells 0 or what it was long ago.
 double flightAngle(const Workspace &workspace, std::size_t axis)
 {
     const ChannelRoles &roles = workspace.roles();
     return freshlyTold(workspace, roles.calibrated).value_or(false) ? workspace.latest(roles.angle[axis])
                                                                     : qQNaN();
 }
+
+}  // namespace
 
 std::array<double, kAxisCount> shownAngles(Workspace &workspace)
 {

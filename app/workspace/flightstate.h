@@ -37,8 +37,6 @@ void keepDirections(Workspace &workspace, const CheckedDirections &found);
 void dropDirections(Workspace &workspace);
 /// The board has a name now: what was kept until the next connection is kept with it.
 void keepDirectionsByName(Workspace &workspace);
-/// Degrees as the board tells them. NaN: before a calibration, when it tells 0 or what it was long ago.
-[[nodiscard]] double flightAngle(const Workspace &workspace, std::size_t axis);
 /// Degrees as the check of directions has found them: to the right, nose up, turned to the right; without one
 /// as the board tells them. NaN: not known.
 [[nodiscard]] std::array<double, kAxisCount> shownAngles(Workspace &workspace);

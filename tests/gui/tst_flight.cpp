@@ -853,8 +853,13 @@ void TestFlight::spaceDisarmsWhereverTheKeyboardIs()
 void TestFlight::disarmStopsWhatSomebodyElseHasArmed()
 {
     const bcflight::Controls armed{.thrust = 0.3, .arm = true};
-    post(encode(bcflight::Message::Controls, armed.encode(bcflight::Generation::G), bcflight::Generation::G));
-    QVERIFY(isSoon(m_rig->client().roles().armed, 1));
+    // Again, while a stop that goes on from before disarms it.
+    const auto isArmedByAnother = [&] {
+        post(encode(bcflight::Message::Controls, armed.encode(bcflight::Generation::G),
+                    bcflight::Generation::G));
+        return m_rig->workspace().latest(m_rig->client().roles().armed) == 1;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isArmedByAnother(), kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(page().disarmButton()->isEnabled(), kPatience);
     QTest::mouseClick(page().disarmButton(), Qt::LeftButton);
     QVERIFY(isSoon(m_rig->client().roles().armed, 0));

@@ -500,9 +500,10 @@ void FlightPage::showNow()
         return std::isnan(number) ? u"–"_s : u"%1 %2"_s.arg(numberText(number, decimals), unit);
     };
     QString rows;
+    const auto angles = shownAngles(workspace());
     for (std::size_t axis = 0; axis < kAxisCount; ++axis)
-        rows += u"<tr><td>%1</td><td align='right'>%2</td></tr>"_s.arg(
-            axisLabel(kAxes[axis]), text(flightAngle(workspace(), axis), 1, u"°"_s));
+        rows += u"<tr><td>%1</td><td align='right'>%2</td></tr>"_s.arg(axisLabel(kAxes[axis]),
+                                                                       text(angles[axis], 1, u"°"_s));
     rows += u"<tr><td>%1</td><td align='right'>%2</td></tr>"_s.arg(
         tr("Battery"), text(workspace().latest(workspace().roles().battery), 1, u"V"_s));
     m_numbers->setText(u"<table width='100%'>%1</table>"_s.arg(rows));
