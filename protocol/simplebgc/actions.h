@@ -70,6 +70,8 @@ private:
     Result<ActionReply> readSignals(const QVariantMap &arguments);
     Result<ActionReply> readInputs(const QVariantMap &arguments);
     Result<ActionReply> readReportedInputs();
+    /// READ_RC_INPUTS: a signal for each of so many inputs.
+    Result<Frame> askInputs(const QByteArray &question, int count);
     // boardactions.cpp
     Result<ActionReply> selectImu(const QVariantMap &arguments);
     Result<ActionReply> setPin(const QVariantMap &arguments);

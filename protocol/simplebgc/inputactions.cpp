@@ -69,9 +69,7 @@ Result<ActionReply> Actions::readSignals(const QVariantMap &)
     }
     if (names.isEmpty())
         return failure(ErrorCode::ConditionUnmet, u"no function of this profile has a signal"_s);
-    const auto frame
-        = m_channel.transact(replyRequest(CommandId::ReadRcInputs, writer.take(), CommandId::ReadRcInputs,
-                                          2 * int(names.size()), Device::kVersion));
+    const auto frame = askInputs(writer.take(), int(names.size()));
     if (!frame)
         return tl::unexpected(frame.error());
     ByteReader reader(frame->payload);
@@ -122,9 +120,7 @@ Result<ActionReply> Actions::readInputs(const QVariantMap &arguments)
         names.append(QLatin1String(source.name));
         writer.u8(source.value);
     }
-    const auto frame
-        = m_channel.transact(replyRequest(CommandId::ReadRcInputs, writer.take(), CommandId::ReadRcInputs,
-                                          2 * int(names.size()), Device::kVersion));
+    const auto frame = askInputs(writer.take(), int(names.size()));
     if (!frame)
         return tl::unexpected(frame.error());
     ByteReader reader(frame->payload);
@@ -134,6 +130,12 @@ Result<ActionReply> Actions::readInputs(const QVariantMap &arguments)
             reply.insert(u"input."_s + name, 100.0 * raw / kFullSignal);
     }
     return reader.ok() ? Result<ActionReply>(reply) : failure(ErrorCode::BadReply, u"READ_RC_INPUTS"_s);
+}
+
+Result<Frame> Actions::askInputs(const QByteArray &question, int count)
+{
+    return m_channel.transact(replyRequest(CommandId::ReadRcInputs, question, CommandId::ReadRcInputs,
+                                           2 * count, Device::kVersion));
 }
 
 // Older firmware tells of those inputs alone that a function is mapped to.
