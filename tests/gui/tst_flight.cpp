@@ -169,6 +169,8 @@ private:
     }
     bool calibrate();
     bool arm(bool held = true);
+    /// Connects to another drone, calibrates and arms it, and gives it throttle.
+    bool fly(const QString &address);
     /// A press of the key does nothing, and that is why.
     bool isRefused(const QString &why);
     /// Another ground posts it: nobody here waits for anything.
@@ -244,6 +246,22 @@ bool TestFlight::arm(bool held)
     }
     qInfo().noquote() << "not armed:" << page().stateText();
     return false;
+}
+
+bool TestFlight::fly(const QString &address)
+{
+    if (!m_rig->open(address))
+        return false;
+    m_page = m_rig->page<FlightPage>();
+    const auto calibrated = m_rig->workspace().perform(u"calibrate.all"_s, {});
+    if (!QTest::qWaitFor([&] { return calibrated.isFinished(); }, kPatience)
+        || !isSoon(m_rig->client().roles().calibrated, 1))
+        return false;
+    trust();
+    if (!arm())
+        return false;
+    page().throttle()->setValue(20);
+    return isSoon(m_rig->client().roles().outputs, 1);
 }
 
 void TestFlight::nothingIsSentBeforeTheKey()
@@ -986,14 +1004,7 @@ void TestFlight::disarmedIsNotStanding()
     SimProcess drone({u"--udp"_s, u"0"_s, u"--tcp"_s, u"0"_s}, u"bcflight"_s);
     QTRY_VERIFY_WITH_TIMEOUT(drone.process().canReadLine(), kPatience);
     const QByteArray tcp = drone.process().readLine().trimmed();
-    QVERIFY(m_rig->open(drone.address()));
-    const auto calibrated = m_rig->workspace().perform(u"calibrate.all"_s, {});
-    QTRY_VERIFY_WITH_TIMEOUT(calibrated.isFinished(), kPatience);
-    QVERIFY(isSoon(m_rig->client().roles().calibrated, 1));
-    trust();
-    QVERIFY(arm());
-    page().throttle()->setValue(20);
-    QVERIFY(isSoon(m_rig->client().roles().outputs, 1));
+    QVERIFY(fly(drone.address()));
     drone.process().write("runs-on=1\n");
     QVERIFY(m_rig->boardGoesOn(0.3));
     QSignalSpy stopped(&m_rig->client(), &DeviceClient::motorsOffFinished);
@@ -1068,15 +1079,7 @@ void TestFlight::lostLinkIsWarnedOf()
 void TestFlight::silenceInTheAirIsTold()
 {
     SimProcess drone({u"--udp"_s, u"0"_s}, u"bcflight"_s);
-    QVERIFY(m_rig->open(drone.address()));
-    m_page = m_rig->page<FlightPage>();
-    const auto calibrated = m_rig->workspace().perform(u"calibrate.all"_s, {});
-    QTRY_VERIFY_WITH_TIMEOUT(calibrated.isFinished(), kPatience);
-    QVERIFY(isSoon(m_rig->client().roles().calibrated, 1));
-    trust();
-    QVERIFY(arm());
-    page().throttle()->setValue(20);
-    QVERIFY(isSoon(m_rig->client().roles().outputs, 1));
+    QVERIFY(fly(drone.address()));
     const QObject listener;
     QList<ErrorText> told;
     connect(&m_rig->workspace().notifications(), &Notifications::problem, &listener,
@@ -1111,14 +1114,7 @@ void TestFlight::lostLinkIsLeftAllTheSame()
 {
     m_rig->client().disconnectFromBoard();
     SimProcess drone({u"--udp"_s, u"0"_s}, u"bcflight"_s);
-    QVERIFY(m_rig->open(drone.address()));
-    const auto calibrated = m_rig->workspace().perform(u"calibrate.all"_s, {});
-    QTRY_VERIFY_WITH_TIMEOUT(calibrated.isFinished(), kPatience);
-    QVERIFY(isSoon(m_rig->client().roles().calibrated, 1));
-    trust();
-    QVERIFY(arm());
-    page().throttle()->setValue(20);
-    QVERIFY(isSoon(m_rig->client().roles().outputs, 1));
+    QVERIFY(fly(drone.address()));
     QVERIFY(page().guardian().isWatching());
     const auto *guard = page().guardian().findChild<QProcess *>();
     drone.process().write("replug=-1\nunplug=0\n");
@@ -1166,14 +1162,7 @@ void TestFlight::whoeverLeavesTheLinkDisarms()
 {
     QFETCH(bool, toAnother);
     SimProcess drone({u"--udp"_s, u"0"_s}, u"bcflight"_s);
-    QVERIFY(m_rig->open(drone.address()));
-    const auto calibrated = m_rig->workspace().perform(u"calibrate.all"_s, {});
-    QTRY_VERIFY_WITH_TIMEOUT(calibrated.isFinished(), kPatience);
-    QVERIFY(isSoon(m_rig->client().roles().calibrated, 1));
-    trust();
-    QVERIFY(arm());
-    page().throttle()->setValue(20);
-    QVERIFY(isSoon(m_rig->client().roles().outputs, 1));
+    QVERIFY(fly(drone.address()));
     if (toAnother)
         QVERIFY(m_rig->open(u"sim:simplebgc"_s));
     else
