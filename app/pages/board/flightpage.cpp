@@ -462,10 +462,10 @@ void FlightPage::stopSending()
                                            Concern::Stopped);
 }
 
-// Only who opens a session has to know.
+// Only who opens a session has to know, and a screen that nobody sees is not locked.
 void FlightPage::followSystem()
 {
-    if (std::exchange(m_isFollowing, true))
+    if (std::exchange(m_isFollowing, true) || QGuiApplication::platformName() == u"offscreen")
         return;
     for (const Lock &lock : kLocks) {
         QDBusConnection bus = lock.isOfSystem ? QDBusConnection::systemBus() : QDBusConnection::sessionBus();
