@@ -2339,8 +2339,8 @@
 <context>
     <name>Confirmations</name>
     <message>
-        <source>Nothing stops it meanwhile, neither the red button nor F12: only taking its battery away does.</source>
-        <translation>Nichts hält das zwischendurch an, weder der rote Knopf noch F12: nur das Abziehen des Akkus.</translation>
+        <source>Nothing stops it meanwhile, neither “STOP MOTORS” nor F12: only taking its battery away does.</source>
+        <translation>Nichts hält das zwischendurch an, weder „MOTOREN STOPPEN“ noch F12: nur das Abziehen des Akkus.</translation>
     </message>
     <message>
         <source>Whoever goes on confirms: “%1”.</source>

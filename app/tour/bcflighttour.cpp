@@ -5,6 +5,8 @@
 
 #if GIMBAL_WITH_BCFLIGHT
 
+#include "app/families/bcflight/benchcards.h"
+#include "app/families/bcflight/benchpage.h"
 #include "app/families/bcflight/camerapage.h"
 #include "app/families/bcflight/fullview.h"
 #include "app/families/bcflight/picturesettings.h"
@@ -31,6 +33,7 @@ namespace {
 
 constexpr int kMistakenLine = 12;
 constexpr int kBlackBoxRows = 600;
+constexpr int kFirmwareSize = 300000;
 
 // Its numbers are whole: what the program writes has decimals.
 QByteArray someBlackBox()
@@ -66,6 +69,7 @@ void Tour::addDroneSteps(const QString &family)
          {u"dashboard"_s, u"monitor"_s, u"camera"_s, u"parameters"_s, u"tuning"_s, u"documents"_s,
           u"system"_s, u"recordings"_s, u"actions"_s, u"bench"_s, u"console"_s, u"backups"_s})
         m_steps.append({family + u'-' + page, show(page), {}, 1500, {}, page == u"dashboard"_s});
+    addBenchSteps(family);
     addCameraSteps(family);
     addFlightSteps(family);
     addTextSteps(family);
@@ -93,6 +97,33 @@ void Tour::addBlackBoxSteps(const QString &family)
                     true});
     m_steps.append({family + u"-blackbox"_s, show(u"blackbox"_s), {}, 1500, {}, true});
     m_steps.append({{}, [this] { m_window.workspace().client().disconnectFromBoard(); }, {}, 100, {}, true});
+}
+
+// What is asked before motors turn or a firmware is replaced.
+void Tour::addBenchSteps(const QString &family)
+{
+    const auto folder = std::make_shared<QTemporaryDir>();
+    const auto bench = [this] { return static_cast<BenchPage *>(m_window.page(u"bench"_s)); };
+    const auto isAsked = [this] { return m_window.panels()->isOpen(); };
+    const auto addQuestion = [&](const QString &name, const std::function<QPushButton *()> &button) {
+        m_steps.append({{}, show(u"bench"_s), [button] { return button()->isEnabled(); }, 100, {}, true});
+        m_steps.append(
+            {family + u"-bench-"_s + name, [button] { button()->click(); }, isAsked, 300, {}, true});
+        m_steps.append({{}, [this] { m_window.panels()->rejectAll(); }, {}, 100, {}, true});
+    };
+    m_steps.append({{},
+                    [bench, folder] {
+                        const QString path = folder->filePath(u"flight-1.0.bin"_s);
+                        if (writeWhole(path, QByteArray(kFirmwareSize, '\xa5'), FileKind::Other))
+                            bench()->firmware()->choose(path);
+                    },
+                    {},
+                    100,
+                    {},
+                    true});
+    addQuestion(u"motor"_s, [bench] { return bench()->turnButton(); });
+    addQuestion(u"esc"_s, [bench] { return bench()->escs()->startButton(); });
+    addQuestion(u"firmware"_s, [bench] { return bench()->firmware()->uploadButton(); });
 }
 
 // On the whole screen, and what is asked for lens shading.

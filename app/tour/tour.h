@@ -54,6 +54,7 @@ private:
     void addReplaySteps();
     void addFamilySteps(const QString &family);
     void addDroneSteps(const QString &family);
+    void addBenchSteps(const QString &family);
     void addCameraSteps(const QString &family);
     void addFlightSteps(const QString &family);
     void addTextSteps(const QString &family);

@@ -56,7 +56,8 @@ QFuture<Confirmations::Outcome> Confirmations::ask(const ActionSpec &action, con
             continue;
         const QString text = value.toString();
         if (argument.kind != ArgumentKind::Text) {
-            verb += u", %1 %2"_s.arg(tableText(argument.label), text);
+            verb += verb == question.title ? u": "_s : u", "_s;
+            verb += u"%1 %2"_s.arg(tableText(argument.label), text);
             continue;
         }
         const QFontMetrics metrics(QApplication::font());
@@ -66,7 +67,7 @@ QFuture<Confirmations::Outcome> Confirmations::ask(const ActionSpec &action, con
     }
     said.append(tableText(action.help));
     if (action.silence > 0ms)
-        said.append(tr("Nothing stops it meanwhile, neither the red button nor F12: only taking its battery "
+        said.append(tr("Nothing stops it meanwhile, neither “STOP MOTORS” nor F12: only taking its battery "
                        "away does."));
     said.append(tr("Whoever goes on confirms: “%1”.").arg(tableText(action.confirm)));
     question.text = said.join(u"\n\n"_s);
