@@ -139,6 +139,7 @@ void SimulatedBoard::boot()
         m_stabilizer.plant(axis).setAngle(0.0);
     m_stabilizer.resetEstimate();
     m_control = {};
+    m_modes = {};
     m_signals = {};
     m_script = {};
     m_motorCalibration = {};
@@ -292,12 +293,14 @@ void SimulatedBoard::cycle()
     m_receiver.step(m_options.faults, Stabilizer::kCycle);
     updateSlots();
     updateTargets();
+    updateModes();
     updateMotorCalibration();
     updateScript();
     updateAutoPid();
     m_stabilizer.step();
     updateSensors();
     updateCalibration();
+    tellChanges();
     // For the first half second a calibration blocks everything else (errata 7).
     const double lateStreams = m_options.faults.lateStreams;
     const bool silent = m_calibration.left > 0
@@ -342,7 +345,7 @@ void SimulatedBoard::updateFaults()
     m_stabilizer.hand().setStrength(isCalibrating() && faults.shake <= 2.0 ? 0.0 : faults.shake);
     const double volts
         = (faults.battery > 0 ? faults.battery : kNominalVoltage) - 0.04 * m_stabilizer.current();
-    m_stabilizer.setVoltage(volts);
+    m_stabilizer.setVoltage(volts * powerLeft());
     m_mostCurrent = std::max(m_mostCurrent, m_stabilizer.current());
     const double motorsOff = value(u"battery.motors_off"_s);
     if (motorsOff > 0 && volts < motorsOff)
@@ -387,7 +390,7 @@ void SimulatedBoard::updateTargets()
             arrived &= std::abs(goal - m_stabilizer.estimate(axis)) < 1.0;
         } else if (const auto wanted = rcTarget(axis)) {
             target = *wanted;
-        } else if (axis == Axis::Yaw && value(u"rc.yaw.follow"_s) != 0.0) {
+        } else if (follows(axis)) {
             const double follow = value(u"follow.yaw.speed"_s) / 60.0;
             target += (m_stabilizer.hand().angle(axis) - target) * follow * Stabilizer::kCycle;
         }
@@ -472,46 +475,6 @@ void SimulatedBoard::finishAccCalibration(const std::array<double, kAxisCount> &
             imu.accCorrection[i] = mean[i] - (i == up ? 1.0 : 0.0);
         }
     }
-}
-
-void SimulatedBoard::updateAutoPid()
-{
-    if (!m_autoPid)
-        return;
-    for (std::size_t i = 0; i < kAxisCount; ++i)
-        m_stabilizer.setTarget(kAxes[i],
-                               m_autoPid->isSelected(kAxes[i]) ? m_autoPid->stimulus(kAxes[i])
-                                                               : m_stabilizer.target(kAxes[i]));
-    if (!m_autoPid->observe(m_stabilizer))
-        return;
-    AutoPidProgress progress;
-    progress.iteration = m_autoPid->iteration();
-    for (std::size_t i = 0; i < kAxisCount; ++i) {
-        const QString axis = QLatin1String(axisKey(kAxes[i]));
-        const AutoPidSearch::AxisResult &result = m_autoPid->results()[i];
-        if (m_autoPid->isSelected(kAxes[i])) {
-            for (const auto &[key, raw] :
-                 {std::pair(u"p"_s, result.p), {u"i"_s, result.i}, {u"d"_s, result.d}}) {
-                const ParameterSpec *parameter = spec(u"pid.%1.%2"_s.arg(axis, key));
-                parameter->write(m_ram[parameter->row->block], isLogarithmic() ? parameter->toRaw(raw) : raw);
-            }
-        }
-        progress.p[i] = inUse(u"pid.%1.p"_s.arg(axis));
-        progress.i[i] = inUse(u"pid.%1.i"_s.arg(axis));
-        progress.d[i] = inUse(u"pid.%1.d"_s.arg(axis));
-        progress.lpf[i] = inUse(u"filter.%1.lpf"_s.arg(axis));
-        progress.trackingError[i] = float(result.trackingError);
-    }
-    applyParameters();
-    if (m_autoPidReports)
-        send(CommandId::AutoPid, progress.encode(), m_autoPidVersion);
-    const bool fails = m_options.faults.failWith != 0 && progress.iteration > 2;
-    if (!m_autoPid->isFinished() && !fails)
-        return;
-    m_autoPid.reset();
-    for (const Axis axis : kAxes)
-        m_stabilizer.setTarget(axis, 0.0);
-    sendEnd(CommandId::AutoPid, m_autoPidVersion, fails ? m_options.faults.failWith : 0);
 }
 
 // What took long has come to its end, or is given up.

@@ -17,6 +17,7 @@
 #include <deque>
 #include <map>
 #include <set>
+#include <span>
 
 namespace simplebgc {
 
@@ -36,6 +37,9 @@ inline constexpr int kScriptSlots = 5;
 inline constexpr int kFcRollPin = 3;  ///< as signal sources count them (errata 4.3)
 inline constexpr int kFcPitchPin = 4;
 inline constexpr int kFrameImu = 2;  ///< of SELECT_IMU_3 and calibrations
+inline constexpr int kSafeStop = 2;  ///< of MOTORS_OFF
+inline constexpr int kMiddleStability = 128;  ///< of AUTO_PID, where nobody tells it
+inline constexpr auto kEventMessage = CommandId(102);
 inline constexpr double kResetNotice = 1.0;  ///< document CMD_RESET: 1000 ms between notice and restart
 
 /// A SimpleBGC 32-bit controller on a simulated gimbal: memory per profile, volatile variables, streams,
@@ -105,7 +109,54 @@ private:
     [[nodiscard]] std::optional<double> rcTarget(Axis axis);
     [[nodiscard]] QByteArray slotState(const Frame &frame) const;
     [[nodiscard]] QByteArray rcInputs(const Frame &frame);
-    void runMenu(int action, int version);
+    // menu commands and what they switch (menu.cpp); each tells the code with which it is refused, 0 = done
+    struct MenuEntry;
+    enum Switch { SwitchOff, SwitchOn, SwitchOver };
+    enum Event { MenuButtonEvent = 1, MotorEvent, EmergencyEvent, CameraEvent, ScriptEvent, RetractedEvent };
+    enum EventType { EventOff = 1, EventOn = 2 };
+    [[nodiscard]] static std::span<const MenuEntry> menuEntries();
+    int runMenu(int action);
+    int doNothing(int argument);
+    int useProfile(int profile);
+    int swapSticks(int axis);
+    int invertStick(int axis);
+    int trimSticks(int argument);
+    int calibrateSensor(int which);
+    int calibrateNorth(int argument);
+    int resetEstimate(int argument);
+    int announceReset(int argument);
+    int takeAnglesByHand(int isStored);
+    int switchMotors(int how);
+    int switchMotorsSafely(int how);
+    int turnFrameOver(int argument);
+    int tuneAll(int argument);
+    int lookDown(int argument);
+    int goHome(int argument);
+    int takeHome(int argument);
+    int level(int axes);
+    int centerMotors(int axes);
+    int untwist(int argument);
+    int retract(int argument);
+    int turnYaw(int isFromFrame);
+    int switchYaw(int argument);
+    int switchRoll(int argument);
+    int pressButton(int argument);
+    int triggerCamera(int type);
+    int startScript(int slot);
+    int stopScript(int argument);
+    int loadProfileSet(int index);
+    int forceFollow(int argument);
+    int disableFollow(int argument);
+    int setTripod(int how);
+    int setShake(int how);
+    int setServoMode(int how);
+    void stopMotors();
+    [[nodiscard]] double powerLeft() const;
+    [[nodiscard]] bool follows(Axis axis) const;
+    [[nodiscard]] quint32 systemState() const;
+    void updateModes();
+    void tellEvent(Event event, int type);
+    void tellChanges();
     // the rest of its memory (memory.cpp)
     bool handleMemory(const Frame &frame);
     [[nodiscard]] QByteArray memory() const;
@@ -113,6 +164,7 @@ private:
     void profileSet(const Frame &frame);
     void sendFile(const Frame &frame);
     void takeFile(const Frame &frame);
+    void runScript(int slot, bool isDebugged, int version);
     void updateScript();
     // motors and pins (mounting.cpp)
     bool handleMotors(const Frame &frame);
@@ -166,6 +218,8 @@ private:
     void updateCalibration();
     /// @param refusal code of ERROR; 0: it went well
     void sendEnd(CommandId command, int version, int refusal);
+    void autoPid(const Frame &frame);
+    void startAutoPid(int flags, int gainVsStability);
     void updateAutoPid();
 
     // commands (commands.cpp)
@@ -179,8 +233,9 @@ private:
     void getAdjVars(const Frame &frame);
     void registerStream(const Frame &frame);
     void control(const Frame &frame);
-    void menu(int action, const Frame &frame);
+    void menu(const Frame &frame);
     void startCalibration(const Frame &frame);
+    void beginCalibration(CommandId command, int imu, int action, int version);
     void reply(const Frame &to, CommandId id, const QByteArray &payload);
     void confirm(const Frame &to, const QByteArray &data = {});
     void refuse(const Frame &to, int code);
@@ -290,6 +345,25 @@ private:
         int version = 1;
     };
     Script m_script;
+    enum class Follow { AsSet, Forced, Off };
+    /// What commands have switched, until the next start.
+    struct Modes
+    {
+        Follow follow = Follow::AsSet;
+        bool isTripod = false;
+        bool isShaking = false;
+        bool isServo = false;
+        bool isRetracted = false;
+        double safeStopLeft = 0;  // seconds
+        double byHandUntil = -1;
+        bool isByHandStored = false;
+        bool motorsWereOn = false;
+        std::array<double, kAxisCount> frame{};  // where it was one cycle ago
+        std::array<double, kAxisCount> shake{};  // part of the target
+    };
+    Modes m_modes;
+    std::array<double, kAxisCount> m_home{};
+    std::array<bool, 4> m_told{};  // by EVENT
     struct MotorCalibration
     {
         CommandId command{};

@@ -19,6 +19,8 @@ constexpr double kLatency = 0.0015;  // seconds from command to the first byte o
 constexpr double kWriteLatency = 0.030;  // EEPROM write (errata 7: tens of ms)
 constexpr double kCalibrationTime = 4.0;
 constexpr int kStreamsFrom = 2590;  // firmware
+constexpr int kEventsSince = 2657;
+constexpr int kStopKindsSince = 2687;  // of MOTORS_OFF
 constexpr qsizetype kStreamSpace = 512;  // with more than this in the output buffer, streams are skipped
 constexpr int kMaxStreams = 10;
 constexpr int kUnknownFirmware = 9990;
@@ -265,12 +267,16 @@ bool SimulatedBoard::handleAction(const Frame &frame)
 {
     switch (static_cast<CommandId>(frame.id)) {
     case CommandId::MotorsOn:
-        if (!m_emergency)
-            m_stabilizer.setMotorsOn(true);
+        switchMotors(SwitchOn);
         confirm(frame);
         return true;
     case CommandId::MotorsOff:
-        m_stabilizer.setMotorsOn(m_options.faults.runsOn && m_stabilizer.motorsOn());
+        if (m_options.firmware >= kStopKindsSince && frame.payload.startsWith(char(kSafeStop))) {
+            switchMotorsSafely(SwitchOff);
+            confirm(frame);
+            return true;
+        }
+        stopMotors();
         m_autoPid.reset();
         m_control = {};
         // That it ends what turns the motors is an assumption: no document tells.
@@ -281,10 +287,7 @@ bool SimulatedBoard::handleAction(const Frame &frame)
         confirm(frame);
         return true;
     case CommandId::Control: control(frame); return true;
-    case CommandId::ExecuteMenu:
-        if (hasSize(frame, 1))
-            menu(quint8(frame.payload[0]), frame);
-        return true;
+    case CommandId::ExecuteMenu: menu(frame); return true;
     case CommandId::SelectImu3:
         // A sensor that is not there is not selected, and nothing is said (errata 7).
         if (const int imu = frame.payload.isEmpty() ? 0 : quint8(frame.payload[0]);
@@ -302,37 +305,7 @@ bool SimulatedBoard::handleAction(const Frame &frame)
         m_voltageOffset += ByteReader(frame.payload).u16() * 0.01 - volts();
         confirm(frame);
         return true;
-    case CommandId::AutoPid: {
-        if (!hasSize(frame, 19))
-            return true;
-        const int flags = quint8(frame.payload[1]);
-        confirm(frame);
-        if (!(flags & 7)) {
-            if (!m_options.faults.runsOn)
-                m_autoPid.reset();
-            return true;
-        }
-        if (quint8(frame.payload[0]) < kProfileCount)
-            loadProfile(quint8(frame.payload[0]));
-        std::array<bool, kAxisCount> axes{};
-        std::array<AutoPidSearch::AxisResult, kAxisCount> start;
-        for (std::size_t i = 0; i < kAxisCount; ++i) {
-            const QString axis = QLatin1String(axisKey(kAxes[i]));
-            axes[i] = flags & (1 << i);
-            const auto gain = [&](const QString &key) {
-                const QString name = u"pid.%1.%2"_s.arg(axis, key);
-                return isLogarithmic() ? int(std::lround(value(name))) : inUse(name);
-            };
-            start[i] = {gain(u"p"_s), gain(u"i"_s), gain(u"d"_s), 0.0};
-            if (axes[i] && !(flags & AutoPidKeepCurrent))
-                start[i] = {8, 2, 8, 0.0};
-        }
-        m_autoPid = std::make_unique<AutoPidSearch>(axes, start, quint8(frame.payload[2]));
-        m_autoPidReports = flags & AutoPidReport;
-        m_autoPidVersion = frame.version;
-        m_stabilizer.setMotorsOn(true);
-        return true;
-    }
+    case CommandId::AutoPid: autoPid(frame); return true;
     case CommandId::DataStreamInterval:
         if (m_options.firmware < 2590)
             return false;
@@ -487,7 +460,7 @@ void SimulatedBoard::registerStream(const Frame &frame)
     const auto id = static_cast<CommandId>(stream->command);
     const bool isCustom = id == CommandId::RealtimeDataCustom;
     const bool isStreamed = isCustom || id == CommandId::RealtimeData3 || id == CommandId::RealtimeData4
-        || id == CommandId::AhrsHelper;
+        || id == CommandId::AhrsHelper || (id == kEventMessage && m_options.firmware >= kEventsSince);
     if (!isStreamed || (isCustom && isTooLong(ByteReader(stream->config).u32()))) {
         refuse(frame, kWrongParameters);
         return;
@@ -519,7 +492,7 @@ QByteArray SimulatedBoard::polled(CommandId id, const QByteArray &payload)
 void SimulatedBoard::sendStreams()
 {
     for (Stream &stream : m_streams) {
-        if (m_now + 1e-9 < stream.next)
+        if (m_now + 1e-9 < stream.next || stream.request.command == number(kEventMessage))
             continue;
         stream.next += stream.interval;
         QByteArray payload;
@@ -572,11 +545,16 @@ void SimulatedBoard::startCalibration(const Frame &frame)
         }
         return;
     }
+    beginCalibration(static_cast<CommandId>(frame.id), imu, action, frame.version);
+}
+
+void SimulatedBoard::beginCalibration(CommandId command, int imu, int action, int version)
+{
     m_calibration = {};
-    m_calibration.command = static_cast<CommandId>(frame.id);
+    m_calibration.command = command;
     m_calibration.left = m_calibration.total = kCalibrationTime;
     m_calibration.action = action;
-    m_calibration.version = frame.version;
+    m_calibration.version = version;
     m_calibration.motorsWereOn = m_stabilizer.motorsOn();
     m_calibration.imu = imu;
     if (imu == kFrameImu)

@@ -133,7 +133,7 @@ bool SimulatedBoard::handleMemory(const Frame &frame)
             refuse(frame, kWrongParameters);
             return true;
         } else {
-            m_script = {slot, mode == 2, m_now + kLineTime, 0, frame.version};
+            runScript(slot, mode == 2, frame.version);
         }
         confirm(frame);
         return true;
@@ -207,19 +207,33 @@ void SimulatedBoard::profileSet(const Frame &frame)
         return;
     }
     std::vector<Block> &set = m_sets[std::size_t(slot - 1)];
-    if (action == 3 && set.empty()) {
-        refuse(frame, kWrongState);
-        return;
-    }
+    int refusal = 0;
     if (action == 1)
         set.assign(m_eeprom.begin(), m_eeprom.end());
     else if (action == 2)
         set.clear();
     else
-        std::copy(set.begin(), set.end(), m_eeprom.begin());
-    confirm(frame);
-    if (action == 3)
-        loadProfile(m_active);
+        refusal = loadProfileSet(slot - 1);
+    if (refusal)
+        refuse(frame, refusal);
+    else
+        confirm(frame);
+}
+
+/// The code with which it is refused, 0 = it is in use.
+int SimulatedBoard::loadProfileSet(int index)
+{
+    const std::vector<Block> &set = m_sets[std::size_t(index)];
+    if (set.empty())
+        return kWrongState;
+    std::copy(set.begin(), set.end(), m_eeprom.begin());
+    loadProfile(m_active);
+    return 0;
+}
+
+void SimulatedBoard::runScript(int slot, bool isDebugged, int version)
+{
+    m_script = {slot, isDebugged, m_now + kLineTime, 0, version};
 }
 
 // What is compiled nobody outside can read, so it runs from the first to the last byte and does nothing.

@@ -152,7 +152,8 @@ bool SimulatedBoard::handleMotors(const Frame &frame)
 
 bool SimulatedBoard::isBusy() const
 {
-    return m_calibration.left > 0 || m_autoPid || m_motorCalibration.until > 0 || m_magCalibration.until > 0;
+    return m_calibration.left > 0 || m_autoPid || m_motorCalibration.until > 0 || m_magCalibration.until > 0
+        || m_modes.byHandUntil > 0 || m_modes.safeStopLeft > 0;
 }
 
 bool SimulatedBoard::isStepping() const
@@ -238,8 +239,14 @@ void SimulatedBoard::startGainCalibration(const Frame &frame)
 
 int SimulatedBoard::calibrationMode() const
 {
-    if (m_calibration.left > 0)
-        return m_calibration.command == CommandId::CalibAcc ? 4 : 5;
+    if (m_calibration.left > 0) {
+        const bool isAcc = m_calibration.command == CommandId::CalibAcc;
+        return m_calibration.action == 3 ? (isAcc ? 11 : 10) : isAcc ? 4 : 5;
+    }
+    if (m_modes.byHandUntil > 0)
+        return m_modes.isByHandStored ? 2 : 13;
+    if (m_modes.safeStopLeft > 0)
+        return 24;
     if (m_autoPid)
         return 8;
     if (m_magCalibration.until > 0)

@@ -16,7 +16,6 @@ namespace simplebgc {
 
 namespace {
 
-constexpr quint32 kStartedUp = 1U << 4;  // errata 4.4
 constexpr int kStateFlagsSince = 2730;  // of REALTIME_DATA_4 (errata 3.8)
 
 // No document says which firmware introduced which field; here they come in two steps, so that clients also
@@ -122,7 +121,7 @@ QByteArray SimulatedBoard::realtime(bool extended) const
         .u8(2)
         .u8(int(std::clamp(m_headingError * 10.0, 0.0, 255.0)));
     writer.zeros(6).u8(m_options.firmware >= kLater ? calibrationMode() : 0);
-    writer.zeros(7).u32(m_options.firmware >= kStateFlagsSince ? kStartedUp : 0);
+    writer.zeros(7).u32(m_options.firmware >= kStateFlagsSince ? systemState() : 0);
     return writer.zeros(18).take();
 }
 
@@ -222,7 +221,7 @@ QByteArray SimulatedBoard::laterFields(quint32 flags) const
     if (has(19))
         writer.u16(s.imuPresent() ? 0 : 1000).u16(int(std::min<quint64>(m_serialErrors, 65535))).u16(0).u8(0);
     if (has(20))  // errata 4.4 and 4.6
-        writer.u32(kStartedUp).u8(calibrationMode()).zeros(8);
+        writer.u32(systemState()).u8(calibrationMode()).zeros(8);
     if (has(21))
         writer.write(packQuaternion(attitude(estimate)));
     if (has(22))

@@ -73,8 +73,9 @@ std::optional<double> SimulatedBoard::rcTarget(Axis axis)
     if (!stick)
         return {};
     const double band = value(u"rc.deadband"_s) / kFull;
-    const double sign = axisValue("rc.%a.inverted", axis) != 0.0 ? -1 : 1;
-    const double beyond = std::abs(*stick) < band ? 0.0 : sign * *stick;
+    const double turned = (axisValue("rc.%a.inverted", axis) != 0.0 ? -1.0 : 1.0)
+        * (*stick + axisValue("rc.%a.trim", axis) / kFull);
+    const double beyond = std::abs(turned) < band ? 0.0 : turned;
     const double low = axisValue("rc.%a.min_angle", axis);
     const double high = axisValue("rc.%a.max_angle", axis);
     const double turn = axisValue("rc.%a.speed", axis);
@@ -100,7 +101,7 @@ void SimulatedBoard::runRcCommand()
         return;
     static const std::array kCommands{u"service.rc_low"_s, u"service.rc_middle"_s, u"service.rc_high"_s};
     if (const int action = int(value(kCommands[std::size_t(third - 1)])); action != 0)
-        runMenu(action, m_lastVersion);
+        runMenu(action);
 }
 
 bool SimulatedBoard::isWatched(int pin) const
@@ -131,7 +132,7 @@ void SimulatedBoard::updateSlots()
         const int before = std::exchange(m_signals.fifths[std::size_t(i)], fifth);
         const int action = fifth > 0 ? quint8(memory[6 * i + fifth]) : 0;
         if (fifth != before && action != 0)
-            runMenu(action, m_lastVersion);
+            runMenu(action);
     }
     bool hasChanged = false;
     const auto variables = adjustablesOf(m_options.firmware);
