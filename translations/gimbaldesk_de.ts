@@ -3926,10 +3926,6 @@
         <translation>das Board macht weiter wie vorher</translation>
     </message>
     <message>
-        <source>this firmware takes acc, roll and pitch alone (2.59 takes the others)</source>
-        <translation>diese Firmware nimmt nur acc, roll und pitch (2.59 nimmt die anderen)</translation>
-    </message>
-    <message>
         <source>mode asks for an attitude and sets none</source>
         <translation>mode verlangt eine Lage und setzt keine</translation>
     </message>

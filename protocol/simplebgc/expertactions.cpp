@@ -29,8 +29,6 @@ constexpr auto kBootSettles = 500ms;
 constexpr int kBootQuestions = 3;
 constexpr qint64 kLargestFeed = 16 * 1024 * 1024;
 constexpr int kWideModeSince = 2695;  // AHRS_HELPER has two bytes of mode (errata 3.22)
-constexpr int kExtendedHelperSince = 2590;
-constexpr int kShortHelper = 10;
 constexpr char kNoSuchFile = 2;
 constexpr auto kScriptWaits = 5s;
 constexpr auto kLate = 200ms;  // what is older corrects nothing any more
@@ -239,8 +237,8 @@ Result<ActionReply> Actions::readAttitude(const QVariantMap &arguments)
 // The board confirms none of it. What it says against it ends the feed.
 Result<ActionReply> Actions::feed(const QVariantMap &arguments)
 {
-    const MessageSpec &message = *findMessage(arguments.value(u"what"_s).toInt());
-    const int firmware = m_device.m_identity.firmwareNumber;
+    const MessageSpec message
+        = asOf(*findMessage(arguments.value(u"what"_s).toInt()), m_device.m_identity.firmwareNumber);
     const QString path = arguments.value(u"file"_s).toString();
     const auto text = readWhole(path, FileKind::Measurement, kLargestFeed);
     if (!text)
@@ -248,17 +246,9 @@ Result<ActionReply> Actions::feed(const QVariantMap &arguments)
     auto rows = readFeed(*text, message);
     if (!rows)
         return tl::unexpected(inFile(rows.error(), path));
-    for (FedRow &row : *rows) {
-        if (message.id == number(CommandId::HelperData) && row.payload.size() > kShortHelper
-            && firmware < kExtendedHelperSince)
-            return failure(ErrorCode::Unsupported,
-                           u"this firmware takes acc, roll and pitch alone (2.59 takes the others)"_s);
-        if (message.id != number(CommandId::AhrsHelper))
-            continue;
-        if (!(row.payload[0] & 1))
+    for (const FedRow &row : *rows) {
+        if (message.id == number(CommandId::AhrsHelper) && !(row.payload[0] & 1))
             return failure(ErrorCode::InvalidArgument, u"mode asks for an attitude and sets none"_s);
-        if (firmware >= kWideModeSince)
-            row.payload.insert(1, '\0');
     }
     const auto refusals = m_channel.listen(
         [id = message.id](const FrameView &frame) { return refusalOf(frame, id).has_value(); });

@@ -6,7 +6,6 @@
 #include "protocol/simplebgc/adjustables.h"
 #include "protocol/simplebgc/choices.h"
 #include "protocol/simplebgc/framer.h"
-#include "protocol/simplebgc/messages.h"
 #include "protocol/simplebgc/parametertables.h"
 #include "protocol/simplebgc/payloads.h"
 #include "protocol/simplebgc/steeringmodes.h"
@@ -21,7 +20,7 @@ namespace simplebgc {
 
 namespace {
 
-constexpr int kAnyFirmware = 99999;
+constexpr int kCalibCogging = 93;
 constexpr std::array<const char *, 3> kAxisLetters{"R", "P", "Y"};
 
 ActionRisk riskOf(int id, const QByteArray &payload)
@@ -68,19 +67,10 @@ QString blockText(int block, Bytes payload, const ParameterSet *parameters)
     return parts.join(u", "_s);
 }
 
-// By the table of commands.
-QString fieldsText(int id, Bytes payload, bool fromBoard)
+QString fieldsText(Fields fields, Bytes payload)
 {
-    const MessageSpec *message = findMessage(id);
-    if (!message)
-        return {};
-    if (!message->isPublic && !payload.empty())
-        return u"its layout is not public"_s;
-    const auto &fields = fromBoard ? message->fromBoard : message->toBoard;
-    if (!fields)
-        return {};
     QStringList parts;
-    for (const FieldValue &value : decodeFields(*fields, payload)) {
+    for (const FieldValue &value : decodeFields(fields, payload)) {
         const bool isFlag = value.bits && value.bits->count == 1;
         if (!isFlag)
             parts.append(value.name + u' ' + value.text());
@@ -88,6 +78,19 @@ QString fieldsText(int id, Bytes payload, bool fromBoard)
             parts.append(value.name);
     }
     return parts.join(u", "_s);
+}
+
+// By the table of commands.
+QString messageText(int id, Bytes payload, bool fromBoard, int firmware)
+{
+    const MessageSpec *known = findMessage(id);
+    if (!known)
+        return {};
+    if (!known->isPublic && !payload.empty())
+        return u"its layout is not public"_s;
+    const MessageSpec message = asOf(*known, firmware);
+    const auto &fields = fromBoard ? message.fromBoard : message.toBoard;
+    return fields ? fieldsText(*fields, payload) : QString();
 }
 
 // Of CONTROL, as the actions name them.
@@ -167,7 +170,38 @@ QString realtimeText(Bytes payload)
         const ChannelSpec &spec = channelTable()[std::size_t(field.channel)];
         parts.append(u"%1 %2"_s.arg(QLatin1String(spec.key)).arg(double(value), 0, 'f', spec.decimals));
     }
+    // Older firmware leaves zeros there.
+    const Bytes later = payload.size() > kRealtime4LaterAt ? payload.subspan(kRealtime4LaterAt) : Bytes();
+    if (std::any_of(later.begin(), later.end(), [](std::byte byte) { return byte != std::byte{}; }))
+        parts.append(fieldsText(realtime4Later(), later));
     return parts.join(u", "_s);
+}
+
+// What comes with the number of the command (errata 3.18).
+QString confirmText(Bytes payload)
+{
+    if (payload.empty())
+        return {};
+    const auto command = static_cast<CommandId>(std::to_integer<int>(payload.front()));
+    const QString name = commandName(number(command));
+    const Bytes data = payload.subspan(1);
+    ByteReader reader(data);
+    const bool isFile = command == CommandId::WriteFile || command == CommandId::FsClearAll;
+    if (isFile && data.size() == 1) {
+        const int code = reader.u8();
+        const auto word = std::find_if(std::begin(kFileCodes), std::end(kFileCodes),
+                                       [code](const Choice &choice) { return choice.value == code; });
+        return name + u": "_s
+            + (word == std::end(kFileCodes) ? u"code %1"_s.arg(code) : QString(QLatin1String(word->name)));
+    }
+    if (command == CommandId::EepromWrite && data.size() == 4)
+        return u"%1: address %2"_s.arg(name).arg(reader.u32());
+    const bool isArrival = command == CommandId::Control && data.size() == 1 && data[0] == std::byte{1};
+    const bool isEnd = number(command) == kCalibCogging && data.size() == 1 && data[0] == std::byte{255};
+    if (isArrival || isEnd)
+        return name + u": the task is done"_s;
+    return data.empty() ? name
+                        : u"%1: data %2"_s.arg(name, QString::fromLatin1(toByteArray(data).toHex(' ')));
 }
 
 QString variablesText(Bytes payload)
@@ -175,7 +209,7 @@ QString variablesText(Bytes payload)
     const auto vars = decodeAdjVars(payload);
     if (!vars)
         return {};
-    const auto known = adjustablesOf(99999);
+    const auto known = adjustablesOf(kAnyFirmware);
     QStringList parts;
     for (const AdjVar &var : *vars) {
         const QString name = var.id < int(known.size()) ? QLatin1String(known[std::size_t(var.id)].key)
@@ -185,11 +219,11 @@ QString variablesText(Bytes payload)
     return parts.join(u", "_s);
 }
 
-QString fromBoardText(CommandId id, Bytes payload, const ParameterSet *parameters)
+QString fromBoardText(CommandId id, Bytes payload, const ParameterSet *parameters, int firmware)
 {
     ByteReader reader(payload);
     switch (id) {
-    case CommandId::Confirm: return payload.empty() ? QString() : commandName(reader.u8());
+    case CommandId::Confirm: return confirmText(payload);
     case CommandId::Error: {
         // The document's five-byte form does not name the command (errata 3.18).
         const QString command = payload.size() >= 6 ? commandName(reader.u8()) + u": "_s : QString();
@@ -249,11 +283,11 @@ QString fromBoardText(CommandId id, Bytes payload, const ParameterSet *parameter
         return payload.empty() ? QString() : blockText(ParamsExt2, payload, parameters);
     case CommandId::ReadParamsExt3:
         return payload.empty() ? QString() : blockText(ParamsExt3, payload, parameters);
-    default: return fieldsText(number(id), payload, true);
+    default: return messageText(number(id), payload, true, firmware);
     }
 }
 
-QString toBoardText(CommandId id, Bytes payload, const ParameterSet *parameters)
+QString toBoardText(CommandId id, Bytes payload, const ParameterSet *parameters, int firmware)
 {
     ByteReader reader(payload);
     if (payload.empty())
@@ -295,19 +329,19 @@ QString toBoardText(CommandId id, Bytes payload, const ParameterSet *parameters)
     case CommandId::WriteParamsExt: return blockText(ParamsExt, payload, parameters);
     case CommandId::WriteParamsExt2: return blockText(ParamsExt2, payload, parameters);
     case CommandId::WriteParamsExt3: return blockText(ParamsExt3, payload, parameters);
-    default: return fieldsText(number(id), payload, false);
+    default: return messageText(number(id), payload, false, firmware);
     }
 }
 
 }  // namespace
 
-FrameText describeFrame(const FrameView &frame, bool fromBoard, const ParameterSet *parameters)
+FrameText describeFrame(const FrameView &frame, bool fromBoard, const ParameterSet *parameters, int firmware)
 {
     const auto id = static_cast<CommandId>(frame.id);
     FrameText text;
     text.name = id == CommandId::Control ? (fromBoard ? u"CONFIRM"_s : u"CONTROL"_s) : commandName(frame.id);
-    text.fields = fromBoard ? fromBoardText(id, frame.payload, parameters)
-                            : toBoardText(id, frame.payload, parameters);
+    text.fields = fromBoard ? fromBoardText(id, frame.payload, parameters, firmware)
+                            : toBoardText(id, frame.payload, parameters, firmware);
     text.isRefusal = fromBoard && id == CommandId::Error;
     return text;
 }
@@ -341,7 +375,7 @@ QStringList commandNames()
     return names;
 }
 
-Result<RawCommand> parseCommand(const QString &text, int version)
+Result<RawCommand> parseCommand(const QString &text, int version, int firmware)
 {
     const QString trimmed = text.trimmed();
     if (trimmed.isEmpty())
@@ -367,7 +401,7 @@ Result<RawCommand> parseCommand(const QString &text, int version)
         return failure(ErrorCode::InvalidArgument, u"there is no command '%1'"_s.arg(name));
     if (!message->toBoard && message->isPublic)
         return failure(ErrorCode::InvalidArgument, u"%1 is what the board sends"_s.arg(name));
-    const auto payload = payloadOf(*message, words);
+    const auto payload = payloadOf(asOf(*message, firmware), words);
     if (!payload)
         return tl::unexpected(payload.error());
     if (payload->size() > 255)

@@ -3,15 +3,18 @@
 #pragma once
 
 #include "protocol/device/abilities.h"
+#include "protocol/simplebgc/messages.h"
 
 namespace simplebgc {
 
 /// A frame in readable form: the command's name and the known fields. @param parameters names the values of
 /// parameter blocks, may be null
-[[nodiscard]] FrameText describeFrame(const FrameView &frame, bool fromBoard, const ParameterSet *parameters);
+/// @param firmware whose fields they are
+[[nodiscard]] FrameText describeFrame(const FrameView &frame, bool fromBoard, const ParameterSet *parameters,
+                                      int firmware = kAnyFirmware);
 
 /// "EXECUTE_MENU 0B" or a complete frame in hex. Errors: InvalidArgument with the reason.
-[[nodiscard]] Result<RawCommand> parseCommand(const QString &text, int version);
+[[nodiscard]] Result<RawCommand> parseCommand(const QString &text, int version, int firmware = kAnyFirmware);
 
 /// Commands that can be sent by name.
 [[nodiscard]] QStringList commandNames();

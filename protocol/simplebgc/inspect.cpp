@@ -82,7 +82,7 @@ Result<std::vector<std::vector<double>>> Device::readDebugVariables(Channel &cha
 
 FrameText Device::describeFrame(const FrameView &frame, bool fromBoard) const
 {
-    return simplebgc::describeFrame(frame, fromBoard, m_parameters.get());
+    return simplebgc::describeFrame(frame, fromBoard, m_parameters.get(), m_identity.firmwareNumber);
 }
 
 // Both directions use the same frames.
@@ -100,7 +100,7 @@ bool Device::isTelemetryFrame(int id) const
 
 Result<RawCommand> Device::parseCommand(const QString &text) const
 {
-    return simplebgc::parseCommand(text, kVersion);
+    return simplebgc::parseCommand(text, kVersion, m_identity.firmwareNumber);
 }
 
 QStringList Device::commandNames() const

@@ -90,11 +90,18 @@ struct MessageSpec
 
 /// Stands for "later" where the errata name no version.
 inline constexpr int kLater = 2600;
+/// Newer than any.
+inline constexpr int kAnyFirmware = 99999;
 
 [[nodiscard]] std::span<const MessageSpec> messages();
 /// Null: no such number.
 [[nodiscard]] const MessageSpec *findMessage(int id);
 [[nodiscard]] const MessageSpec *findMessage(const QString &name);
+/// With the fields that it had in that firmware. @param firmware 0: not known, taken for the newest
+[[nodiscard]] MessageSpec asOf(const MessageSpec &message, int firmware);
+/// What REALTIME_DATA_4 holds behind `kRealtime4LaterAt`, reserved in the document's firmware (errata 3.8).
+[[nodiscard]] Fields realtime4Later();
+inline constexpr int kRealtime4LaterAt = 88;
 
 /// A number or a text that one field holds.
 struct FieldValue

@@ -2,116 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The commands themselves (document, errata 2 and 3). What is done with them: messages.cpp.
 #include "protocol/simplebgc/choices.h"
+#include "protocol/simplebgc/fieldmakers.h"
 #include "protocol/simplebgc/messages.h"
 #include "protocol/simplebgc/parametertables.h"
 #include "protocol/simplebgc/units.h"
 
 namespace simplebgc {
 
-// Many short names, which mean nothing elsewhere.
 namespace commandtable {
-
-using enum FieldType;
-
-constexpr FieldSpec number(const char *name, FieldType type, const char *unit = "", double scale = 1,
-                           std::span<const Choice> words = {})
-{
-    return {name, type, 1, Elements::One, unit, scale, words, {}};
-}
-
-constexpr FieldSpec word(const char *name, FieldType type, std::span<const Choice> words)
-{
-    return number(name, type, "", 1, words);
-}
-
-constexpr FieldSpec axes(const char *name, FieldType type, const char *unit = "", double scale = 1)
-{
-    return {name, type, 3, Elements::Axes, unit, scale, {}, {}};
-}
-
-constexpr FieldSpec xyz(const char *name, FieldType type, const char *unit = "", double scale = 1)
-{
-    return {name, type, 3, Elements::Xyz, unit, scale, {}, {}};
-}
-
-// @param count 0: as often as they fit
-constexpr FieldSpec list(const char *name, FieldType type, int count, const char *unit = "", double scale = 1,
-                         std::span<const Choice> words = {})
-{
-    return {name, type, count, Elements::Numbered, unit, scale, words, {}};
-}
-
-constexpr FieldSpec bytes(const char *name, int count)
-{
-    return {name, Bytes, count, Elements::One, "", 1, {}, {}};
-}
-
-constexpr FieldSpec reserved(int count)
-{
-    return bytes("", count);
-}
-
-constexpr FieldSpec rest(const char *name)
-{
-    return bytes(name, 0);
-}
-
-constexpr FieldSpec text(const char *name, int size)
-{
-    return {name, Text, size, Elements::One, "", 1, {}, {}};
-}
-
-constexpr FieldSpec group(const char *name, std::span<const FieldSpec> inner, int count,
-                          Elements elements = Elements::Numbered)
-{
-    return {name, Group, count, elements, "", 1, {}, inner};
-}
-
-constexpr FieldSpec perAxis(std::span<const FieldSpec> inner)
-{
-    return group("", inner, 3, Elements::Axes);
-}
-
-// Made of bits that have names of their own.
-constexpr FieldSpec parts(const char *name, FieldType type, std::span<const BitsSpec> bits)
-{
-    return {name, type, 1, Elements::One, "", 1, {}, {}, bits};
-}
-
-constexpr FieldSpec quaternion(const char *name)
-{
-    return {name, F32, 4, Elements::Wxyz};
-}
-
-constexpr FieldSpec packed(const char *name)
-{
-    return {name, Quaternion};
-}
-
-// --- what is there only if another field says so ---
-
-using IsThere = bool (*)(std::uint32_t told, int element);
-
-constexpr FieldSpec when(const char *other, IsThere isThere, FieldSpec field)
-{
-    field.when = {other, isThere};
-    return field;
-}
-
-constexpr FieldSpec when(const char *other, IsThere isThere, std::span<const FieldSpec> fields)
-{
-    return when(other, isThere, group("", fields, 1, Elements::One));
-}
-
-template <unsigned Bit> constexpr bool hasBit(std::uint32_t told, int)
-{
-    return told >> Bit & 1U;
-}
-
-template <unsigned Bit> constexpr bool lacksBit(std::uint32_t told, int)
-{
-    return !hasBit<Bit>(told, 0);
-}
 
 // clang-format off
 
@@ -160,15 +58,18 @@ constexpr FieldSpec kRealtime3[] = {
     word("profile", U8, kProfiles), axes("power", U8)};
 constexpr BitsSpec kStateBits[] = {{"debug", 0}, {"frame_inverted", 1}, {"start.step1", 2}, {"start.step2", 3}, {"started", 4}, {"power_manager", 5},
     {"shake", 8}, {"servo", 9}, {"follow.roll", 10}, {"follow.pitch", 11}, {"follow.yaw", 12}, {"tripod", 13}, {"retracted", 14}};
+constexpr FieldSpec kRealtime4Later[] = {
+    axes("output", S16, "%", 0.01), word("calibration", U8, kCalibModes), number("can.error", U8),
+    axes("actual", S16, "°", kDegreesPerCount), parts("state", U32, kStateBits)};
 constexpr FieldSpec kRealtime4[] = {
     group("", kRealtime3, 1, Elements::One), axes("motor", S16, "°", kDegreesPerCount), reserved(1), axes("balance", S16),
     number("current", U16, "mA"), axes("mag", S16), number("temperature", S8, "°C"), number("frame.temperature", S8, "°C"),
-    number("gravity.error", U8, "°", 0.1), number("heading.error", U8, "°", 0.1), axes("output", S16, "%", 0.01),
-    word("calibration", U8, kCalibModes), number("can.error", U8), axes("actual", S16, "°", kDegreesPerCount),
-    parts("state", U32, kStateBits), reserved(18)};
+    number("gravity.error", U8, "°", 0.1), number("heading.error", U8, "°", 0.1), group("", kRealtime4Later, 1, Elements::One), reserved(18)};
+constexpr FieldSpec kSelectImuOld[] = {word("imu", U8, kTwoImus)};
 constexpr FieldSpec kSelectImu[] = {word("imu", U8, kTwoImus), number("action", U8), number("time", U16, "ms"), reserved(8)};
 constexpr FieldSpec kMotor[] = {word("motor", U8, kMotorNames)};
 constexpr FieldSpec kFieldOffset[] = {axes("angle", S16, "°", kDegreesPerCount), axes("speed", S16, "°/s", kGyroUnit), number("flags", U16)};
+constexpr FieldSpec kFieldOffsetOld[] = {axes("angle", S16, "°", kDegreesPerCount)};
 constexpr FieldSpec kNames[] = {text("name1", 48), text("name2", 48), text("name3", 48), text("name4", 48), text("name5", 48)};
 constexpr FieldSpec kVariable[] = {number("id", U8), number("value", S32)};
 constexpr FieldSpec kVariables[] = {number("count", U8), group("variable", kVariable, 0)};
@@ -176,6 +77,7 @@ constexpr FieldSpec kVariableF[] = {number("id", U8), number("value", F32)};
 constexpr FieldSpec kVariablesF[] = {number("count", U8), group("variable", kVariableF, 0)};
 constexpr FieldSpec kVariableIds[] = {number("count", U8), list("id", U8, 0)};
 constexpr FieldSpec kIds[] = {list("id", U8, 0)};
+constexpr FieldSpec kAutoPidOld[] = {word("profile", U8, kProfiles), number("flags", U8), number("gain", U8), reserved(16)};
 constexpr FieldSpec kAutoPid[] = {word("profile", U8, kProfiles), number("flags", U8), number("gain", U8), number("momentum", U8), number("action", U8), reserved(14)};
 constexpr FieldSpec kTracking[] = {number("error", F32, "°"), reserved(6)};
 constexpr FieldSpec kAutoPidTold[] = {
@@ -200,6 +102,9 @@ constexpr FieldSpec kSlotAsk[] = {number("trigger", U8), number("analog", U16), 
 constexpr FieldSpec kSlotState[] = {
     number("trigger", S16), word("action", U8, kMenuActions), number("analog", S16), number("value", F32), number("table", S16),
     number("table.value", F32)};
+constexpr FieldSpec kSlotAskOld[] = {number("trigger", U8), number("analog", U8)};
+constexpr FieldSpec kSlotStateOld[] = {
+    number("trigger", S16), word("action", U8, kMenuActions), number("analog", S16), number("value", S32), reserved(6)};
 constexpr FieldSpec kMemoryWrite[] = {number("address", U32), rest("data")};
 constexpr FieldSpec kMemoryRead[] = {number("address", U32), number("size", U16, "bytes")};
 constexpr FieldSpec kCalibInfoAsk[] = {word("imu", U8, kImus), reserved(11)};
@@ -214,20 +119,25 @@ constexpr FieldSpec kBoot[] = {number("notice", U8), number("delay", U16, "ms")}
 constexpr FieldSpec kFileRead[] = {word("type", U8, kFileTypes), number("number", U8), number("page", U16), number("size", U16, "bytes"), reserved(14)};
 constexpr FieldSpec kFileData[] = {number("size", U16, "bytes"), number("page", U16), rest("data")};
 constexpr FieldSpec kFileWrite[] = {word("type", U8, kFileTypes), number("number", U8), number("size", U16, "bytes"), number("page", U16), rest("data")};
-constexpr FieldSpec kAhrsAsk[] = {number("mode", U8), xyz("z", F32), xyz("h", F32), rest("more")};
+constexpr FieldSpec kAhrsAsk[] = {number("mode", U16), xyz("z", F32), xyz("h", F32), rest("more")};
+constexpr FieldSpec kAhrsAskOld[] = {number("mode", U8), xyz("z", F32), xyz("h", F32), rest("more")};
 constexpr FieldSpec kAhrs[] = {xyz("z", F32), xyz("h", F32)};
 constexpr FieldSpec kRunScript[] = {word("mode", U8, kScriptModes), number("slot", U8), reserved(32)};
 constexpr FieldSpec kScriptDebug[] = {number("command", U16), word("code", U8, kFileCodes)};
+constexpr FieldSpec kCalibrationOld[] = {word("imu", U8, kImus), word("action", U8, kCalibrations), reserved(10)};
 constexpr FieldSpec kCalibration[] = {word("imu", U8, kImus), word("action", U8, kCalibrations), number("time", U16, "ms"), reserved(8)};
 constexpr FieldSpec kVoltage[] = {number("voltage", U16, "V", 0.01)};
 constexpr FieldSpec kControlAxis[] = {number("speed", S16), number("angle", S16, "°", kDegreesPerCount)};
 constexpr FieldSpec kControl[] = {axes("mode", U8), perAxis(kControlAxis)};
+constexpr FieldSpec kControlOld[] = {number("mode", U8), perAxis(kControlAxis)};
 constexpr FieldSpec kConfirmed[] = {number("command", U8), rest("data")};
+constexpr FieldSpec kMenuOld[] = {word("action", U8, kMenuActions)};
 constexpr FieldSpec kMenu[] = {word("action", U8, kMenuActions), number("flags", U8)};
 constexpr FieldSpec kDefaults[] = {number("scope", U8)};
+constexpr FieldSpec kHelperOld[] = {
+    xyz("acc", S16, "g", kAccUnit), number("roll", S16, "°", kDegreesPerCount), number("pitch", S16, "°", kDegreesPerCount)};
 constexpr FieldSpec kHelper[] = {
-    xyz("acc", S16, "g", kAccUnit), number("roll", S16, "°", kDegreesPerCount), number("pitch", S16, "°", kDegreesPerCount),
-    word("system", U8, kCoordinates), xyz("speed", S16, "°/s", kGyroUnit), number("heading", S16, "°", kDegreesPerCount), reserved(1)};
+    group("", kHelperOld, 1, Elements::One), word("system", U8, kCoordinates), xyz("speed", S16, "°/s", kGyroUnit), number("heading", S16, "°", kDegreesPerCount), reserved(1)};
 constexpr FieldSpec kAngleOf[] = {number("imu", S16, "°", kDegreesPerCount), number("target", S16, "°", kDegreesPerCount), number("speed", S16, "°/s", kControlSpeedUnit)};
 constexpr FieldSpec kAngles[] = {perAxis(kAngleOf)};
 constexpr FieldSpec kAngleExtOf[] = {number("imu", S16, "°", kDegreesPerCount), number("target", S16, "°", kDegreesPerCount), number("motor", S32, "°", kDegreesPerCount), reserved(10)};
@@ -458,7 +368,7 @@ constexpr MessageSpec kMessages[] = {
     {43, "READ_ADJ_VARS_CFG", kNone, kSlots, kFrame, kSafe, 0, 0, true, "Parameters"},
     {44, "WRITE_ADJ_VARS_CFG", kSlots, kNo, kConfirm, kWrites, 0, 128, true, "Parameters"},
     {45, "API_VIRT_CH_CONTROL", kChannels, kNo, kNothing, kMoves, 0, 2, true, "Actions (channel)"},
-    {46, "ADJ_VARS_STATE", kSlotAsk, kSlotState, kFrame, kSafe, 0, 2, true, "Actions (slots.read)"},
+    {46, "ADJ_VARS_STATE", kSlotAsk, kSlotState, kFrame, kSafe, 0, 7, true, "Actions (slots.read)"},
     {47, "EEPROM_WRITE", kMemoryWrite, kNo, kConfirm, kDestroys, 0, 4, true, "Actions (memory.restore)"},
     {48, "EEPROM_READ", kMemoryRead, kMemoryWrite, kFrame, kSafe, 0, 6, true, "Actions (memory.save, memory.compare)"},
     {49, "CALIB_INFO", kCalibInfoAsk, kCalibInfo, kFrame, kSafe, kLater, 12},
@@ -468,7 +378,7 @@ constexpr MessageSpec kMessages[] = {
     {53, "READ_FILE", kFileRead, kFileData, kFrame, kSafe, 0, 20, true, "Actions (file.save)"},
     {54, "WRITE_FILE", kFileWrite, kNo, kConfirm, kDestroys, 0, 6, true, "Actions (file.load, file.erase)"},
     {55, "FS_CLEAR_ALL", kNone, kNo, kConfirm, kDestroys, 0, 0},
-    {56, "AHRS_HELPER", kAhrsAsk, kAhrs, kFrame, kMoves, 0, 1, true, "Monitor, Actions (attitude, feed)"},
+    {56, "AHRS_HELPER", kAhrsAsk, kAhrs, kFrame, kMoves, 0, 2, true, "Monitor, Actions (attitude, feed)"},
     {57, "RUN_SCRIPT", kRunScript, kNo, kConfirm, kMoves, 0, 34, true, "Actions (script)"},
     {58, "SCRIPT_DEBUG", kNo, kScriptDebug, kNothing, kSafe, 0},
     {59, "CALIB_MAG", kCalibration, kNo, kConfirm, kWrites, 0, 0, true, "Actions (calibrate.magnetometer)"},
@@ -479,7 +389,7 @@ constexpr MessageSpec kMessages[] = {
     {64, "GET_ADJ_VARS_VAL", kVariableIds, kNo, kFrame, kSafe, 0, 1, true, "Tuning, Live variables", 31},
     {65, "CALIB_ACC", kCalibration, kNo, kConfirm, kWrites, 0, 0, true, "Calibration"},
     {66, "CALIB_BAT", kVoltage, kNo, kConfirm, kWrites, 0, 2, true, "Actions (calibrate.battery)"},
-    {67, "CONTROL", kControl, kConfirmed, kConfirm, kMoves, 0, 13, true, "Control"},
+    {67, "CONTROL", kControl, kConfirmed, kConfirm, kMoves, 0, 15, true, "Control"},
     {68, "REALTIME_DATA", kNone, kNo, kFrame, kSafe, 0, 0, true, "", 23},
     {69, "EXECUTE_MENU", kMenu, kNo, kConfirm, kWrites, 0, 1, true, "Control, Profiles, Actions (menu)"},
     {70, "USE_DEFAULTS", kDefaults, kNo, kConfirm, kDestroys, 0, 1, true, "Actions (defaults)"},
@@ -561,6 +471,37 @@ constexpr MessageSpec kMessages[] = {
     {254, "DEBUG_VARS_3", kMasks, kData, kFrame, kSafe, 0, 0, true, "Debug variables"},
     {255, "ERROR", kNo, kError, kNothing, kSafe, 0},
 };
+
+/// What a command was before a firmware.
+struct OlderLayout
+{
+    int id;
+    int before;
+    Fields toBoard;
+    std::optional<Fields> fromBoard;
+    int least;
+};
+
+// Of one command the oldest first.
+constexpr OlderLayout kOlder[] = {
+    {24, kLater, kSelectImuOld, kNo, 1},
+    {26, 2687, kNone, kNo, 0},
+    {27, 2626, kNone, kNo, 0},
+    {27, 2711, kFieldOffsetOld, kNo, 0},
+    {32, 2689, kNone, kNo, 0},
+    {35, kLater, kAutoPidOld, kAutoPidTold, 19},
+    {46, 2625, kSlotAskOld, kSlotStateOld, 2},
+    {56, 2695, kAhrsAskOld, kAhrs, 1},
+    {59, kLater, kCalibrationOld, kNo, 0},
+    {65, kLater, kCalibrationOld, kNo, 0},
+    {67, 2555, kControlOld, kConfirmed, 13},
+    {69, 2738, kMenuOld, kNo, 1},
+    {72, 2590, kHelperOld, kNo, 10},
+    {103, kLater, kCalibrationOld, kNo, 0},
+    {109, 2687, kNone, kNo, 0},
+    {253, 2720, kNone, kDebugInfo, 0},
+    {254, 2720, kNone, kData, 0},
+};
 // clang-format on
 
 }  // namespace commandtable
@@ -568,6 +509,25 @@ constexpr MessageSpec kMessages[] = {
 std::span<const MessageSpec> messages()
 {
     return commandtable::kMessages;
+}
+
+MessageSpec asOf(const MessageSpec &message, int firmware)
+{
+    MessageSpec older = message;
+    for (const commandtable::OlderLayout &layout : commandtable::kOlder) {
+        if (layout.id != message.id || firmware <= 0 || firmware >= layout.before)
+            continue;
+        older.toBoard = layout.toBoard;
+        older.fromBoard = layout.fromBoard;
+        older.least = layout.least;
+        break;
+    }
+    return older;
+}
+
+Fields realtime4Later()
+{
+    return commandtable::kRealtime4Later;
 }
 
 }  // namespace simplebgc

@@ -13,9 +13,9 @@ def p(layout, *values):
     return struct.pack('<' + layout, *values)
 
 
-def row(name, way, payload, fields=''):
-    """way: > towards the board, < from it; fields: "name=number", in the units of the program"""
-    ROWS.append((name, way, payload, fields))
+def row(name, way, payload, fields='', firmware=99999):
+    """way: > towards the board, < from it; fields: "name=number", in the units of the program; firmware: as of"""
+    ROWS.append((name, way, payload, fields, firmware))
 
 
 def count(n):
@@ -51,9 +51,11 @@ row('ERROR', '<', p('BB4s', 200, 6, b''), 'command=200 code=6')
 row('MOTORS_ON', '>', b'', '')
 row('MOTORS_OFF', '>', b'', '')
 row('MOTORS_OFF', '>', b'\x02', 'how=2')
+row('MOTORS_OFF', '>', b'', '', 2686)
 row('USE_DEFAULTS', '>', b'\xfd', 'scope=253')
 row('EXECUTE_MENU', '>', b'\x12', 'action=18')
 row('EXECUTE_MENU', '>', b'\x12\x03', 'action=18 flags=3')
+row('EXECUTE_MENU', '>', b'\x12', 'action=18', 2737)
 row('READ_PROFILE_NAMES', '>', b'', '')
 names = b''.join(n.encode().ljust(48, b'\0') for n in ('One', 'Zwei', 'Käse', '', 'V'))
 row('READ_PROFILE_NAMES', '<', names, '')
@@ -96,9 +98,11 @@ row('GET_ANGLES_EXT', '<', b''.join(p('hhi10x', a, a + 1, 20000 * a) for a in ra
     f'pitch.imu={D} pitch.target={2 * D} yaw.motor={40000 * D}')
 row('DEBUG_VARS_INFO_3', '>', b'', '')
 row('DEBUG_VARS_INFO_3', '>', b'\x20', 'first=32')
+row('DEBUG_VARS_INFO_3', '>', b'', '', 2719)
 row('DEBUG_VARS_INFO_3', '<', b'\x01\x03ABCx\x01\x00'.replace(b'x', b'\x17'), 'count=1 variable1.type=23 variable1.size=1')
 row('DEBUG_VARS_3', '>', b'', '')
 row('DEBUG_VARS_3', '>', p('II', 5, 1), 'mask1=5 mask2=1')
+row('DEBUG_VARS_3', '>', b'', '', 2719)
 row('DEBUG_VARS_3', '<', count(9), '')
 row('READ_RC_INPUTS', '>', p('HBB', 1, 2, 65), 'flags=1 source1=2 source2=65')
 row('READ_RC_INPUTS', '<', p('hh', -16384, -32768), 'input1=-16384 input2=-32768')
@@ -110,6 +114,7 @@ row('READ_STATE_VARS', '<', state, told)
 row('WRITE_STATE_VARS', '>', state, told)
 
 # --- steering ---
+row('CONTROL', '>', p('B6h', 2, 246, 910, 0, 0, 1, 2), f'mode=2 roll.speed=246 roll.angle={910 * D} yaw.speed=1 yaw.angle={2 * D}', 2554)
 row('CONTROL', '>', p('3B6h', 2, 0, 7, 246, 910, 0, 0, 1, 2), f'mode.roll=2 mode.yaw=7 roll.speed=246 roll.angle={910 * D} yaw.speed=1 yaw.angle={2 * D}')
 row('CONTROL_CONFIG', '>', p('H4BB', 500, 1, 2, 3, 4, 5) + b''.join(p('BBBHBx', 6, 7, 8, 900, 5) for _ in range(3)) + p('BHB9x', 50, 3, 2),
     'timeout=500 uart1=1 usb=4 here=5 roll.lpf.angle=6 pitch.lpf.speed=7 yaw.lpf.rc=8 yaw.acceleration=900 yaw.jerk=100 expo=50 flags=3 euler=2')
@@ -163,11 +168,14 @@ row('CONTROL_QUAT_CONFIG', '>', p('H3H3HHBB', 0b111110, 900, 800, 700, 30, 20, 1
     'set.acceleration=1 acceleration.x=900 acceleration.z=700 jerk.y=20 flags.split_axes=1 attitude.lpf=5 speed.lpf=6')
 row('API_VIRT_CH_CONTROL', '>', p('3h', 500, -500, -10000), 'channel1=500 channel2=-500 channel3=-10000')
 row('API_VIRT_CH_HIGH_RES', '>', p('2h', 16384, -32768), 'channel1=16384 channel2=-32768')
-row('AHRS_HELPER', '>', b'\x02', 'mode=2')
-row('AHRS_HELPER', '>', p('B6f', 5, 0, 0, 1, 0, 1, 0), 'mode=5 z.z=1 h.y=1')
+row('AHRS_HELPER', '>', p('H', 0x102), 'mode=258')
+row('AHRS_HELPER', '>', p('H6f', 0x405, 0, 0, 1, 0, 1, 0), 'mode=1029 z.z=1 h.y=1', 2695)
+row('AHRS_HELPER', '>', b'\x02', 'mode=2', 2694)
+row('AHRS_HELPER', '>', p('B6f', 5, 0, 0, 1, 0, 1, 0), 'mode=5 z.z=1 h.y=1', 2694)
 row('AHRS_HELPER', '<', p('6f', 0, 0, 1, 0.5, 0, 0), 'z.z=1 h.x=0.5')
 row('GYRO_CORRECTION', '>', p('B4h', 1, 1000, -500, 0, 20), 'imu=1 zero.x=1 zero.y=-0.5 heading=0.02')
 row('HELPER_DATA', '>', p('5h', 512, 0, -256, 455, -455), f'acc.x=1 acc.z=-0.5 roll={455 * D} pitch={-455 * D}')
+row('HELPER_DATA', '>', p('5h', 512, 0, -256, 455, -455), f'acc.x=1 acc.z=-0.5 roll={455 * D} pitch={-455 * D}', 2589)
 row('HELPER_DATA', '>', p('5hB3hhx', 512, 0, 0, 0, 0, 3, 10, 20, 30, 910), f'acc.x=1 system=3 speed.x={10 * RATE} speed.z={30 * RATE} heading={910 * D}')
 row('SYNC_MOTORS', '>', p('BBHH', 1, 100, 500, 910), f'axis=1 power=100 time=500 angle={910 * D}')
 
@@ -180,11 +188,14 @@ row('SET_ADJ_VARS_VAL_F', '<', p('BBf', 1, 19, 2.5), 'count=1 variable1.value=2.
 row('GET_ADJ_VARS_VAL_F', '>', p('2B', 1, 19), 'count=1 id1=19')
 row('SAVE_PARAMS_3', '>', b'', '')
 row('SAVE_PARAMS_3', '>', b'\x13\x14', 'id1=19 id2=20')
+row('SAVE_PARAMS_3', '>', b'', '', 2688)
 slots = b''.join(bytes((t, 1, 2, 3, 4, 5)) for t in range(10)) + b''.join(bytes((s, s + 1, 0, 255)) for s in range(15)) + bytes(8)
 slottold = 'trigger1.source=0 trigger10.source=9 trigger10.action5=5 analog1.variable=1 analog15.source=14 analog15.variable=15 analog15.max=255'
 row('READ_ADJ_VARS_CFG', '>', b'', '')
 row('READ_ADJ_VARS_CFG', '<', slots, slottold)
 row('WRITE_ADJ_VARS_CFG', '>', slots, slottold)
+row('ADJ_VARS_STATE', '>', p('BB', 3, 14), 'trigger=3 analog=14', 2624)
+row('ADJ_VARS_STATE', '<', p('hBhi', -500, 18, 250, -70000) + bytes(6), 'trigger=-500 action=18 analog=250 value=-70000', 2624)
 row('ADJ_VARS_STATE', '>', p('BHBHB', 3, 65, 19, 66, 20), 'trigger=3 analog=65 variable=19 table=66 table.variable=20')
 row('ADJ_VARS_STATE', '<', p('hBhfhf', -16384, 18, 8192, 1.5, 5, 2.5), 'trigger=-16384 action=18 analog=8192 value=1.5 table=5 table.value=2.5')
 row('ADJ_VARS_INFO', '>', b'\x05', 'first=5')
@@ -195,12 +206,18 @@ row('ADJ_VARS_INFO', '<', b'\x02' + p('BB6shhi', 0, 6, b'P_ROLL', 0, 255, 60) + 
 for name in ('CALIB_ACC', 'CALIB_GYRO', 'CALIB_MAG'):
     row(name, '>', b'', '')
     row(name, '>', p('BBH8x', 2, 3, 4000), 'imu=2 action=3 time=4000')
+    row(name, '>', p('BB10x', 2, 3), 'imu=2 action=3', 2599)
 row('CALIB_BAT', '>', p('H', 1234), 'voltage=12.34')
 for name in ('CALIB_EXT_GAIN', 'CALIB_MOTOR_MAG_LINK', 'CALIB_OFFSET', 'CALIB_POLES'):
     row(name, '>', b'', '')
 row('ENCODERS_CALIB_OFFSET_4', '>', b'\xff', 'motor=255')
+row('ENCODERS_CALIB_OFFSET_4', '>', b'', '', 2686)
+row('ENCODERS_CALIB_FLD_OFFSET_4', '>', b'', '', 2600)
+row('ENCODERS_CALIB_FLD_OFFSET_4', '>', p('3h', 1820, 0, -910), f'angle.roll={1820 * D} angle.yaw={-910 * D}', 2626)
 row('ENCODERS_CALIB_FLD_OFFSET_4', '>', p('3h3hH', 1820, 0, 0, 100, 0, 0, 1), f'angle.roll={1820 * D} speed.roll={100 * RATE} flags=1')
 row('SELECT_IMU_3', '>', b'\x02', 'imu=2')
+row('SELECT_IMU_3', '>', b'\x01', 'imu=1', 2599)
+row('SELECT_IMU_3', '>', p('BBH', 2, 1, 500) + bytes(8), 'imu=2 action=1 time=500')
 row('CALIB_INFO', '>', p('B11x', 1), 'imu=1')
 row('CALIB_INFO', '<', p('BB3hHBBbBbbB6BbbB7x', 50, 1, 512, 0, -512, 20, 2, 0x15, 30, 1, -10, 40, 0, 1, 2, 3, 4, 5, 6, -5, 45, 150),
     'progress=50 imu=1 acc.x=1 acc.z=-1 gyro=20 axis=2 limits=21 temperature=30 gyro.temp=1 gyro.min=-10 gyro.max=40 slots1=1 slots6=6 acc.min=-5 acc.max=45 heading.error=1.5')
@@ -209,6 +226,7 @@ row('CALIB_COGGING', '>', p('BB', 1, 3) + b''.join(p('HBBH9x', 360, 50, 20, 30) 
     'action=1 axes=3 roll.angle=360 pitch.smooth=50 yaw.speed=20 yaw.period=30 iterations=2')
 row('CALIB_ACC_EXT_REF', '>', p('3h14x', 0, 0, 512), 'acc.z=1')
 row('AUTO_PID', '>', p('BBBBB14x', 1, 15, 128, 0, 0), 'profile=1 flags=15 gain=128')
+row('AUTO_PID', '>', p('BBB16x', 1, 15, 128), 'profile=1 flags=15 gain=128', 2599)
 row('AUTO_PID', '<', p('3B3B3B3HH', 1, 2, 3, 4, 5, 6, 7, 8, 9, 100, 200, 300, 12) + b''.join(p('f6x', 0.5 * (a + 1)) for a in range(3)) + bytes(10),
     'p.roll=1 i.pitch=5 d.yaw=9 lpf.yaw=300 iteration=12 roll.error=0.5 yaw.error=1.5')
 tune2 = p('BH8x', 1, 1) + b'\x01' + b''.join(p('BBHBBB6x', 0b1011, 50, 300, 20, 30, 25) for _ in range(3)) + p('HxBBB4b12x', 0x8005, 10, 50, 3, -30, 0, 1, 10)
@@ -283,10 +301,10 @@ def main():
     out = ['// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors', '// SPDX-License-Identifier: GPL-3.0-or-later',
            '// Made by tests/support/sbgcvectors.py from the document and the errata.', '#pragma once', '',
            'struct SbgcVector', '{', '    const char *name;', "    char way;  // >: towards the board, <: from it", '    const char *hex;  // the payload',
-           '    const char *fields;', '};', '', '// clang-format off', 'inline constexpr SbgcVector kSbgcVectors[] = {']
-    for name, way, payload, fields in ROWS:
+           '    const char *fields;', '    int firmware;', '};', '', '// clang-format off', 'inline constexpr SbgcVector kSbgcVectors[] = {']
+    for name, way, payload, fields, firmware in ROWS:
         assert len(payload) <= 255, name
-        out.append(f'    {{"{name}", \'{way}\', "{payload.hex()}", "{fields}"}},')
+        out.append(f'    {{"{name}", \'{way}\', "{payload.hex()}", "{fields}", {firmware}}},')
     out += ['};', '// clang-format on', '']
     with open(sys.argv[1], 'w') as file:
         file.write('\n'.join(out))

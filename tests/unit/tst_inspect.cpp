@@ -36,6 +36,9 @@ private slots:
     void framesInWords();
     void everyFrameSurvivesAnyPayload();
     void parameterBlocksNameTheirValues();
+    void laterRealtimeIsToldInWords();
+    void progressHasTheScaleOfTheFirmware_data();
+    void progressHasTheScaleOfTheFirmware();
     void commandsByNameAndHex_data();
     void commandsByNameAndHex();
     void variablesGrowWithTheFirmware();
@@ -64,6 +67,11 @@ void TestInspect::framesInWords_data()
     };
     // 67 is CONTROL to the board and CONFIRM from it (errata 2).
     row("confirm", CommandId::Confirm, "4D", true, "CONFIRM", "MOTORS_ON");
+    row("file written", CommandId::Confirm, "3604", true, "CONFIRM", "WRITE_FILE: no free space");
+    row("memory written", CommandId::Confirm, "2F80000000", true, "CONFIRM", "EEPROM_WRITE: address 128");
+    row("arrived", CommandId::Confirm, "4301", true, "CONFIRM", "CONTROL: the task is done");
+    row("cogging at its end", CommandId::Confirm, "5DFF", true, "CONFIRM", "CALIB_COGGING: the task is done");
+    row("with unknown data", CommandId::Confirm, "160A0B", true, "CONFIRM", "WRITE_PARAMS_3: data 0a 0b");
     row("control", CommandId::Control, "020202 0A00 5B04 0000 0000 0000 0000", false, "CONTROL",
         "R: angle 1.22°/s, 24.50°");
     // What a mode does not mean is not told in its place.
@@ -117,6 +125,42 @@ void TestInspect::parameterBlocksNameTheirValues()
     QVERIFY2(words.fields.startsWith(u"profile 2, "_s), qPrintable(words.fields));
     QVERIFY(words.fields.contains(u"pid.roll.p "_s));
     QVERIFY(!words.fields.contains(u"state."_s));
+}
+
+void TestInspect::laterRealtimeIsToldInWords()
+{
+    QByteArray payload(124, '\0');
+    QVERIFY(!text(CommandId::RealtimeData4, payload, true).fields.contains(u"calibration"_s));
+    payload.replace(88, 18, QByteArray::fromHex("E803 0CFE 0000 0C 02 8E03 0000 72FC 11200000"));
+    const QString words = text(CommandId::RealtimeData4, payload, true).fields;
+    const QString end = u"output.roll 10.00%, output.pitch -5.00%, output.yaw 0.00%, calibration 12 "
+                        "(magnetometer), can.error 2, actual.roll 20.00°, actual.pitch 0.00°, "
+                        "actual.yaw -20.00°, state.debug, state.started, state.tripod"_s;
+    QVERIFY2(words.endsWith(end), qPrintable(words));
+}
+
+void TestInspect::progressHasTheScaleOfTheFirmware_data()
+{
+    QTest::addColumn<int>("firmware");
+    QTest::addColumn<QString>("gains");
+    QTest::newRow("as they are") << 2730 << u"R: P 30 I 0.30 D 30"_s;
+    QTest::newRow("logarithmic") << 2731 << u"R: P 3.0 I 3.0 D 3.0"_s;  // errata 3.3
+}
+
+void TestInspect::progressHasTheScaleOfTheFirmware()
+{
+    QFETCH(int, firmware);
+    QFETCH(QString, gains);
+    SimulatorOptions options;
+    options.firmware = firmware;
+    VirtualBoard board{options};
+    QVERIFY(board.identify());
+    QByteArray payload(57, '\0');
+    for (const int offset : {0, 3, 6})
+        payload[offset] = 30;
+    const FrameText words
+        = board.device.describeFrame({number(CommandId::AutoPid), asBytes(payload), 1}, true);
+    QVERIFY2(words.fields.contains(gains), qPrintable(words.fields));
 }
 
 void TestInspect::commandsByNameAndHex_data()

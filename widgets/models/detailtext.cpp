@@ -204,7 +204,6 @@ constexpr const char *kDetails[] = {
     QT_TRANSLATE_NOOP("ErrorDetail", "data needs 1 to %1 bytes in hex"),
     QT_TRANSLATE_NOOP("ErrorDetail", "this is the memory with the board's calibrations and its licence; memory.restore writes it with a copy, and compares"),
     QT_TRANSLATE_NOOP("ErrorDetail", "the board goes on as before"),
-    QT_TRANSLATE_NOOP("ErrorDetail", "this firmware takes acc, roll and pitch alone (2.59 takes the others)"),
     QT_TRANSLATE_NOOP("ErrorDetail", "mode asks for an attitude and sets none"),
     QT_TRANSLATE_NOOP("ErrorDetail", "stopped at command %1"),
     QT_TRANSLATE_NOOP("ErrorDetail", "after %1 come payload bytes in hex%2"),

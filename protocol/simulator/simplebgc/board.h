@@ -241,6 +241,7 @@ private:
     void refuse(const Frame &to, int code);
     [[nodiscard]] bool hasSize(const Frame &frame, qsizetype size);
     [[nodiscard]] QByteArray realtime(bool extended) const;
+    [[nodiscard]] int motorOutput(Axis axis) const;
     [[nodiscard]] bool isTooLong(quint32 flags) const;
     [[nodiscard]] QByteArray realtimeCustom(quint32 flags) const;
     [[nodiscard]] QByteArray laterFields(quint32 flags) const;

@@ -16,7 +16,8 @@ namespace simplebgc {
 
 namespace {
 
-constexpr int kStateFlagsSince = 2730;  // of REALTIME_DATA_4 (errata 3.8)
+constexpr int kActualAngleSince = 2720;  // of REALTIME_DATA_4 (errata 3.8)
+constexpr int kStateFlagsSince = 2730;
 
 // No document says which firmware introduced which field; here they come in two steps, so that clients also
 // meet boards that have only some.
@@ -49,6 +50,12 @@ double SimulatedBoard::volts() const
 {
     return (m_options.faults.battery > 0 ? m_options.faults.battery : 12.3) + m_voltageOffset
         - 0.04 * m_stabilizer.current();
+}
+
+/// In hundredths of a percent.
+int SimulatedBoard::motorOutput(Axis axis) const
+{
+    return int(std::lround(std::clamp(m_stabilizer.torque(axis), -1.0, 1.0) * 10000.0));
 }
 
 QByteArray SimulatedBoard::realtime(bool extended) const
@@ -120,8 +127,14 @@ QByteArray SimulatedBoard::realtime(bool extended) const
         .i8(isFitted("frame-imu") ? celsius(29) : 0)
         .u8(2)
         .u8(int(std::clamp(m_headingError * 10.0, 0.0, 255.0)));
-    writer.zeros(6).u8(m_options.firmware >= kLater ? calibrationMode() : 0);
-    writer.zeros(7).u32(m_options.firmware >= kStateFlagsSince ? systemState() : 0);
+    const bool isLater = m_options.firmware >= kLater;
+    for (const Axis axis : kAxes)
+        writer.i16(isLater ? motorOutput(axis) : 0);
+    writer.u8(isLater ? calibrationMode() : 0).u8(0);
+    // "Actual" is taken for where the camera is; no document says more.
+    for (const Axis axis : kAxes)
+        writer.i16(m_options.firmware >= kActualAngleSince ? reportedAngle(s.estimate(axis)) : 0);
+    writer.u32(m_options.firmware >= kStateFlagsSince ? systemState() : 0);
     return writer.zeros(18).take();
 }
 
@@ -199,7 +212,7 @@ QByteArray SimulatedBoard::laterFields(quint32 flags) const
         writer.zeros(20);
     if (has(15)) {
         for (const Axis axis : kAxes) {
-            writer.i16(int(std::lround(std::clamp(s.torque(axis), -1.0, 1.0) * 10000.0)));
+            writer.i16(motorOutput(axis));
             writer.u16(int(std::lround(s.current() / 3.0 * 1000.0)))
                 .i8(celsius(35))
                 .u16(s.motorsOn() ? 4 : 0)
