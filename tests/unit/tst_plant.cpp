@@ -87,6 +87,8 @@ private slots:
     void swappedMotorsCannotHold();
     void weakPowerCannotHold();
     void lowBatteryWeakensTheMotors();
+    void aSmallMotorIsWeaker();
+    void motorsWarmWithPower();
     void resonanceShowsWhereItIs();
     void notchOnTheResonanceAllowsMoreD();
     void biasLetsYawDrift();
@@ -216,6 +218,36 @@ void TestPlant::lowBatteryWeakensTheMotors()
         bench->setAll(gains(200, 0, 60, 0.02));
     empty.stabilizer.setVoltage(5.0);
     QVERIFY(empty.run(Axis::Pitch, 4.0).rms > full.run(Axis::Pitch, 4.0).rms * 1.2);
+}
+
+void TestPlant::aSmallMotorIsWeaker()
+{
+    Bench large;
+    Bench small;
+    for (Bench *bench : {&large, &small})
+        bench->setAll(gains(35, 15, 30, 0.2));
+    small.stabilizer.plant(Axis::Pitch).setMotorStrength(0.05);
+    QVERIFY(small.run(Axis::Pitch, 4.0).rms > large.run(Axis::Pitch, 4.0).rms * 2);
+}
+
+// With the square of it, slowly, and they cool as slowly.
+void TestPlant::motorsWarmWithPower()
+{
+    std::array<double, 2> warmer{};
+    for (std::size_t i = 0; i < warmer.size(); ++i) {
+        Bench bench;
+        bench.setAll(gains(35, 15, 30, i == 0 ? 0.4 : 0.8));
+        const double cold = bench.stabilizer.motorCelsius(Axis::Pitch);
+        bench.run(Axis::Pitch, 60);
+        const double warm = bench.stabilizer.motorCelsius(Axis::Pitch);
+        warmer[i] = warm - cold;
+        bench.stabilizer.setMotorsOn(false);
+        bench.run(Axis::Pitch, 60);
+        const double cooled = bench.stabilizer.motorCelsius(Axis::Pitch);
+        QVERIFY(cooled < warm && cooled > cold);
+    }
+    QVERIFY(warmer[0] > 1);
+    QVERIFY2(std::abs(warmer[1] / warmer[0] - 4) < 0.1, qPrintable(QString::number(warmer[1] / warmer[0])));
 }
 
 void TestPlant::resonanceShowsWhereItIs()

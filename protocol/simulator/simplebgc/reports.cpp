@@ -214,7 +214,7 @@ QByteArray SimulatedBoard::laterFields(quint32 flags) const
         for (const Axis axis : kAxes) {
             writer.i16(motorOutput(axis));
             writer.u16(int(std::lround(s.current() / 3.0 * 1000.0)))
-                .i8(celsius(35))
+                .i8(celsius(int(std::lround(s.motorCelsius(axis)))))
                 .u16(s.motorsOn() ? 4 : 0)
                 .zeros(6);
         }

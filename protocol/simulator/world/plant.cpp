@@ -12,6 +12,9 @@ namespace {
 
 constexpr double kMotorLag = 0.004;  // seconds: winding and driver
 constexpr int kSubSteps = 4;  // of the 0.8 ms cycle, so that resonances stay accurate
+constexpr double kRoom = 25;  // °C
+constexpr double kFullHeat = 80;  // °C above the room that a motor reaches at full power
+constexpr double kWarmingTime = 180;  // seconds: the time constant of a motor's body
 constexpr double kSway = 2.0;  // degrees rms of a calm hand
 constexpr double kSwayHz = 0.5;
 
@@ -50,6 +53,11 @@ void AxisPlant::step(double seconds, double torque, double frameAngle, double fr
         m_bendRate += bendAcceleration * dt;
         m_bend += m_bendRate * dt;
     }
+}
+
+void AxisPlant::heat(double seconds, double power)
+{
+    m_celsius += (kRoom + kFullHeat * power * power - m_celsius) * seconds / kWarmingTime;
 }
 
 void HandShake::step(double seconds)

@@ -74,6 +74,13 @@ public:
     }
     /// How far off balance it is mounted, relative to what the mechanics say.
     void setImbalance(double share) { m_imbalance = share; }
+    /// What its motor can do at full power, as a share of fullTorque: less is a small motor for its camera.
+    void setMotorStrength(double share) { m_motorStrength = share; }
+    [[nodiscard]] double motorStrength() const { return m_motorStrength; }
+    /// Warms or cools the motor for that time. @param power 0..1: its current grows with it, its heat with
+    /// the square
+    void heat(double seconds, double power);
+    [[nodiscard]] double celsius() const { return m_celsius; }
     /// Something holds the camera fast to the frame.
     void setBlocked(bool blocked) { m_isBlocked = blocked; }
     [[nodiscard]] const AxisMechanics &mechanics() const { return m_mechanics; }
@@ -89,6 +96,8 @@ private:
     bool m_atStop = false;
     bool m_isBlocked = false;
     double m_imbalance = 1;
+    double m_motorStrength = 1;
+    double m_celsius = 25;
 };
 
 /// The hand that holds the frame: slow sway and faster tremor about three axes.

@@ -174,12 +174,14 @@ void Stabilizer::step()
         // inverted.
         const double poleFactor
             = axis.gains.poles <= 0 ? 0.0 : std::min(3.0, double(kTruePoles) / axis.gains.poles);
-        const double limit = axis.gains.power * m_voltage / kNominalVoltage;
+        const double strength = axis.plant.motorStrength();
+        const double limit = axis.gains.power * strength * m_voltage / kNominalVoltage;
         const double command = driven ? std::clamp(axis.command * poleFactor, -limit, limit) : 0.0;
         axis.torque = axis.gains.inverted ? -command : command;
         torque[i] = axis.torque * axis.field;
         axis.effort = driven ? axis.gains.power : 0.0;
-        m_current += std::abs(command) * 1.6 + axis.effort * 0.25;
+        m_current += std::abs(command) / strength * 1.6 + axis.effort * 0.25;
+        axis.plant.heat(kCycle, axis.effort);
     }
     if (m_swapped)
         std::swap(torque[0], torque[1]);

@@ -108,6 +108,7 @@ public:
     {
         return m_imuPresent ? (m_rawAcc[axis] - m_imu.accCorrection[axis]) / m_imu.accScale[axis] : 0.0;
     }
+    [[nodiscard]] double motorCelsius(Axis axis) const { return m_axes[index(axis)].plant.celsius(); }
     /// Motor effort 0..1 of full power.
     [[nodiscard]] double effort(Axis axis) const { return m_axes[index(axis)].effort; }
     [[nodiscard]] double torque(Axis axis) const { return m_axes[index(axis)].torque; }
