@@ -4597,6 +4597,22 @@
         <source>the board&apos;s own signal of %1 does not follow the stick</source>
         <translation>das eigene Signal des Boards für %1 folgt dem Knüppel nicht</translation>
     </message>
+    <message>
+        <source>the board does not tell the power of its motors</source>
+        <translation>das Board meldet die Leistung seiner Motoren nicht</translation>
+    </message>
+    <message>
+        <source>%1 is not held with any power that its motor can bear: balance the camera, and see whether a cable pulls at it</source>
+        <translation>%1 wird mit keiner Leistung gehalten, die ihr Motor verträgt: balancieren Sie die Kamera aus, und sehen Sie nach, ob ein Kabel an ihr zieht</translation>
+    </message>
+    <message>
+        <source>%1 is not held with the power that was found for it</source>
+        <translation>%1 wird mit der Leistung nicht gehalten, die für sie gefunden wurde</translation>
+    </message>
+    <message>
+        <source>it turns with %1°/s</source>
+        <translation>sie dreht sich mit %1°/s</translation>
+    </message>
 </context>
 <context>
     <name>ErrorText</name>
@@ -5529,6 +5545,10 @@
     <message>
         <source>Let go of all sticks</source>
         <translation>Alle Knüppel loslassen</translation>
+    </message>
+    <message>
+        <source>%1: is it held with a power of %2?</source>
+        <translation>%1: wird sie mit einer Leistung von %2 gehalten?</translation>
     </message>
 </context>
 <context>
@@ -21237,6 +21257,54 @@ Spitze %2°</translation>
     <message>
         <source>What comes in at all inputs, whether a function is mapped to them or not. Firmware before 2.60 tells of those alone that have one.</source>
         <translation>Was an allen Eingängen ankommt, ob ihnen eine Funktion zugeordnet ist oder nicht. Firmware vor 2.60 meldet nur die, die eine haben.</translation>
+    </message>
+    <message>
+        <source>A motor is hot: let it cool, and see on the page Monitor how warm it gets with the power that it has now.</source>
+        <translation>Ein Motor ist heiß: lassen Sie ihn abkühlen, und sehen Sie auf der Seite Monitor, wie warm er mit der Leistung wird, die er jetzt hat.</translation>
+    </message>
+    <message>
+        <source>An axis needs more than half of what its motor can bear: balance the camera, and see whether a cable pulls at it.</source>
+        <translation>Eine Achse braucht mehr als die Hälfte dessen, was ihr Motor verträgt: balancieren Sie die Kamera aus, und sehen Sie nach, ob ein Kabel an ihr zieht.</translation>
+    </message>
+    <message>
+        <source>Current of the gimbal</source>
+        <translation>Strom des Gimbals</translation>
+    </message>
+    <message>
+        <source>Each motor has twice the power that its axis needs, and holds it with that.</source>
+        <translation>Jeder Motor hat das Doppelte der Leistung, die seine Achse braucht, und hält sie damit.</translation>
+    </message>
+    <message>
+        <source>Lowest power that holds it</source>
+        <translation>Niedrigste Leistung, die sie hält</translation>
+    </message>
+    <message>
+        <source>Motors get warm in minutes: see on the page Monitor how warm these are after ten.</source>
+        <translation>Motoren werden in Minuten warm: sehen Sie auf der Seite Monitor, wie warm diese nach zehn Minuten sind.</translation>
+    </message>
+    <message>
+        <source>Moves one axis after the other a little, with less and with more power in use for the moment, and finds the lowest that holds it. It gets twice that: warm windings, an emptier battery and a gust take the rest. The old power is back at once where an axis turns wild or the step is left.</source>
+        <translation>Bewegt eine Achse nach der anderen ein wenig, im Augenblick mit weniger oder mehr Leistung, und findet die niedrigste, die sie hält. Sie bekommt das Doppelte: warme Wicklungen, ein leererer Akku und eine Böe nehmen den Rest. Die alte Leistung gilt sofort wieder, wo eine Achse außer sich gerät oder der Schritt verlassen wird.</translation>
+    </message>
+    <message>
+        <source>Off its target after a move</source>
+        <translation>Neben dem Ziel nach einer Bewegung</translation>
+    </message>
+    <message>
+        <source>Temperature of the motor</source>
+        <translation>Temperatur des Motors</translation>
+    </message>
+    <message>
+        <source>The camera is balanced and can turn freely; my hands catch it if it sags</source>
+        <translation>Die Kamera ist ausbalanciert und kann sich frei drehen; meine Hände fangen sie auf, wenn sie absackt</translation>
+    </message>
+    <message>
+        <source>The motors had the right power already, and hold the camera with it.</source>
+        <translation>Die Motoren hatten schon die richtige Leistung und halten die Kamera damit.</translation>
+    </message>
+    <message>
+        <source>This board does not tell how warm its motors are: touch them after ten minutes. What is too hot to touch has too much power.</source>
+        <translation>Dieses Board meldet nicht, wie warm seine Motoren sind: fassen Sie sie nach zehn Minuten an. Was zu heiß zum Anfassen ist, hat zu viel Leistung.</translation>
     </message>
 </context>
 <context>

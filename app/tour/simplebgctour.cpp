@@ -280,6 +280,23 @@ void Tour::addCalibrationSteps()
     using Kind = CalibrationPage::Kind;
     using Wizard = CalibrationPage::Step;
     m_steps.append({u"guide"_s, show(u"guide"_s), {}, 500, {}, false});
+    const auto guide = [this] { return pageAs<GuidePage>(m_window, u"guide"_s); };
+    m_steps.append({u"guide-power"_s,
+                    [guide] {
+                        guide()->choose(SetupStep::MotorPower);
+                        guide()->confirmBox()->setChecked(true);
+                        guide()->beginButton()->click();
+                    },
+                    [guide] { return guide()->isUnderWay(); },
+                    3000,
+                    {},
+                    true});
+    m_steps.append({{},
+                    [guide] { guide()->cancelButton()->click(); },
+                    [guide] { return !guide()->isUnderWay(); },
+                    0,
+                    {},
+                    true});
     addRemoteSteps();
     m_steps.append({u"signals"_s, show(u"signals"_s), {}, 800, {}, false});
     m_steps.append({u"calibration"_s, show(u"calibration"_s), {}, 400, {}, false});

@@ -26,6 +26,8 @@ struct SetupKeys
     QString axisUp;
     QString axisRight;
     QString poles;
+    QString motorPower;  ///< which can be changed in use alone
+    QString motorOutput;  ///< 0: no motor turns that axis
     QString lowest;  ///< degrees that steering reaches
     QString highest;
     // Remote control.

@@ -65,8 +65,9 @@ SetupGuide::SetupGuide(Channel &channel, Device &device, const TelemetryStore &t
 QList<int> SetupGuide::channels(const Device &device)
 {
     const ChannelRoles roles = rolesOf(device);
-    QList<int> all = ChannelRoles::present({roles.angle, roles.target, roles.gyro, roles.acc});
-    for (const int channel : {roles.battery, roles.outputs}) {
+    QList<int> all
+        = ChannelRoles::present({roles.angle, roles.target, roles.gyro, roles.acc, roles.motorTemperature});
+    for (const int channel : {roles.battery, roles.current, roles.outputs}) {
         if (channel >= 0)
             all.append(channel);
     }
@@ -101,6 +102,7 @@ Result<SetupResult> SetupGuide::run(SetupStep step, const QVariantMap &answers, 
         break;
     case SetupStep::Balance: result = balance(); break;
     case SetupStep::Motors: result = motors(); break;
+    case SetupStep::MotorPower: result = motorPower(); break;
     case SetupStep::Gains: result = gains(); break;
     case SetupStep::Vibration: result = vibration(answers); break;
     case SetupStep::Limits: result = limits(answers); break;

@@ -45,6 +45,19 @@ private:
     Result<SetupResult> motors();
     /// Starts them and watches them for a while. Errors: Diverged.
     Result<void> runMotors(SetupResult &result);
+    /// Finds the power of each motor. Errors: ConditionUnmet (an axis is not held with any), Diverged.
+    Result<SetupResult> motorPower();
+    struct PowerTrial;
+    Result<SetupResult> findPowers(PowerTrial &trial);
+    /// @return the lowest that holds the axis
+    Result<int> findPower(PowerTrial &trial, Axis axis);
+    Result<void> usePower(PowerTrial &trial, Axis axis, int power);
+    /// Moves the axis. @return how far it is off when it should have arrived, RMS; infinite: it is not held
+    Result<double> probe(const PowerTrial &trial, Axis axis);
+    Result<bool> comesToRest(const PowerTrial &trial, Axis axis);
+    /// What heats: current and temperatures, with what was before where that is given.
+    Result<void> measureHeat(SetupResult &result, const SetupResult *before);
+    Error powersBack(const PowerTrial &trial, const Error &why);
     Result<SetupResult> gains();
     /// After the board has searched them: those that hold the camera worse are taken back.
     Result<SetupResult> judgeGains(const Configuration &base, const Figures &before);

@@ -3,6 +3,7 @@
 #include "protocol/guide/setupstep.h"
 
 #include "protocol/device/device.h"
+#include "protocol/procedure/motiontest.h"
 
 #include <algorithm>
 
@@ -56,6 +57,10 @@ constexpr SetupStepSpec kSteps[] = {
      {.key = "motors", .label = "Motors", .help = "The board turns each motor to find its poles and its direction. Then the motors start, and are switched off at once where an axis runs away.",
       .risk = ActionRisk::Writes, .confirm = "The camera is balanced and can turn freely"},
      "The gimbal is held or stands so that nothing is in the way of the camera.", "actions"},
+    {SetupStep::MotorPower,
+     {.key = "motor-power", .label = "Motor power", .help = "Moves one axis after the other a little, with less and with more power in use for the moment, and finds the lowest that holds it. It gets twice that: warm windings, an emptier battery and a gust take the rest. The old power is back at once where an axis turns wild or the step is left.",
+      .risk = ActionRisk::Writes, .confirm = "The camera is balanced and can turn freely; my hands catch it if it sags"},
+     "The gimbal is held in the hand as in use, and the motors run.", "parameters"},
     {SetupStep::Gains,
      {.key = "gains", .label = "Gains", .help = "Measures how well the camera is held, lets the board search its gains, and measures again. Where it is held worse than before, the old gains are written back.",
       .risk = ActionRisk::Writes},
@@ -82,7 +87,10 @@ constexpr SetupFigureSpec kFigures[] = {
     {"voltage", "Voltage", "V", 2}, {"cells", "Cells", "", 0}, {"percell", "Voltage of a cell", "V", 2},
     {"alarm", "Alarm below", "V", 2}, {"off", "Motors off below", "V", 2},
     {"bias", "Zero of the gyroscope", "°/s", 3}, {"askew", "Sensor off the camera's level", "°", 1}, {"acc", "Error of the accelerometer", "g", 4},
-    {"drift", "Swings when let go", "°", 1}, {"poles", "Poles", "", 0},     {"strays", "Strays from its target", "°", 1}, {"holds", "Held to", "° RMS", 3}, {"line", "Strongest line", "Hz", 1},
+    {"drift", "Swings when let go", "°", 1}, {"poles", "Poles", "", 0},     {"strays", "Strays from its target", "°", 1},
+    {"motorpower", "Power", "/ 255", 0}, {"need", "Lowest power that holds it", "/ 255", 0}, {"settles", "Off its target after a move", "° RMS", 2},
+    {"current", "Current of the gimbal", "A", 2}, {"heat", "Temperature of the motor", "°C", 0},
+    {"holds", "Held to", "° RMS", 3}, {"line", "Strongest line", "Hz", 1},
     {"shakes", "Vibrates", "°/s RMS", 2}, {"lowest", "Lowest angle", "°", 0}, {"highest", "Highest angle", "°", 0},
     {"stick.low", "Stick at its lower end", "%", 0}, {"stick.rest", "Stick let go", "%", 0}, {"stick.high", "Stick at its upper end", "%", 0},
 };
@@ -113,6 +121,12 @@ constexpr SetupRemarkSpec kRemarks[] = {
     {"motors.changed", "The board has found other poles or directions than were set."},
     {"motors.same", "The motors are as they were set."},
     {"motors.hold", "No axis runs away. The motors run."},
+    {"motorpower.set", "Each motor has twice the power that its axis needs, and holds it with that."},
+    {"motorpower.fits", "The motors had the right power already, and hold the camera with it."},
+    {"motorpower.scarce", "An axis needs more than half of what its motor can bear: balance the camera, and see whether a cable pulls at it.", false},
+    {"motorpower.hot", "A motor is hot: let it cool, and see on the page Monitor how warm it gets with the power that it has now.", false},
+    {"motorpower.warms", "Motors get warm in minutes: see on the page Monitor how warm these are after ten."},
+    {"motorpower.untold", "This board does not tell how warm its motors are: touch them after ten minutes. What is too hot to touch has too much power."},
     {"gains.better", "It is held better than before."},
     {"gains.same", "It is held about as before."},
     {"gains.shakes", "An axis vibrates strongly with these gains: lower them (page Tuning), or try a notch (step Vibration).", false},
@@ -145,6 +159,13 @@ template <typename Row> const Row *longestOf(std::span<const Row> rows, const QS
         return key == name || key.startsWith(name + u'.');
     });
     return it == rows.end() ? nullptr : &*it;
+}
+
+bool canTryPower(const Device &device, const SetupKeys &keys)
+{
+    const ParameterSpec *power
+        = keys.motorPower.isEmpty() ? nullptr : device.parameters()->find(keys.motorPower.arg(u"roll"_s));
+    return power && device.live() && device.live()->variableOf(*power) >= 0 && device.steering();
 }
 
 }  // namespace
@@ -193,6 +214,7 @@ std::vector<SetupStep> stepsOf(const Device &device)
         offers(keys.calibrateLevel),
         device.motorSwitch() && hasAngles && roles.gyro[0] >= 0 && roles.gyro[1] >= 0,
         offers(keys.findPoles) && device.motorSwitch() && hasAngles,
+        canTryPower(device, keys) && device.motorSwitch() && hasAngles && tellsTargets(device),
         offers(keys.autoTune) && hasAngles && roles.target[0] >= 0,
         roles.gyro[0] >= 0,
         knows(keys.lowest) && device.motorSwitch() && hasAngles,

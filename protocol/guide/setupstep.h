@@ -15,13 +15,14 @@ enum class SetupStep : std::uint8_t {
     Level,
     Balance,
     Motors,
+    MotorPower,
     Gains,
     Vibration,
     Limits,
     Remote,
     Use
 };
-inline constexpr std::size_t kSetupSteps = 11;
+inline constexpr std::size_t kSetupSteps = 12;
 
 /// A step: what it is called, what it needs and does, and what it asks.
 struct SetupStepSpec

@@ -183,7 +183,8 @@ Result<void> Run::prepare()
     m_rest = m_middle.inputs[std::size_t(m_input)];
     const double off = std::abs(latest(angle) - m_rest);
     if (m_told && !(off < kStill))
-        return failure(ErrorCode::Unready, u"the axis is %1° away from its target"_s.arg(off, 0, 'f', 1));
+        return failure(m_plan.mayStray ? ErrorCode::ConditionUnmet : ErrorCode::Unready,
+                       u"the axis is %1° away from its target"_s.arg(off, 0, 'f', 1));
     m_startedAt = m_lastNewsAt = m_channel.now();
     m_lastRows = m_telemetry.rows();
     return {};
@@ -209,9 +210,12 @@ std::optional<Error> Run::danger()
     const double off = std::abs(latest(m_roles.angle[m_axis]) - m_rest);
     const double allowed = m_plan.degrees + m_plan.limit;
     if (off > allowed)
-        return Error{ErrorCode::Diverged,
+        return Error{m_plan.mayStray ? ErrorCode::ConditionUnmet : ErrorCode::Diverged,
                      u"%1° from the middle, %2° are allowed"_s.arg(off, 0, 'f', 1).arg(allowed, 0, 'f', 1),
                      0};
+    const double rate = m_roles.gyro[m_axis] >= 0 ? std::abs(latest(m_roles.gyro[m_axis])) : 0.0;
+    if (m_plan.maxRate > 0 && rate > m_plan.maxRate)
+        return Error{ErrorCode::Diverged, u"it turns with %1°/s"_s.arg(rate, 0, 'f', 0), 0};
     return {};
 }
 
@@ -275,6 +279,10 @@ void Run::steer(double offset)
 
 void Run::report(double share)
 {
+    if (m_plan.told) {
+        m_channel.progress(*m_plan.told);
+        return;
+    }
     Progress progress;
     progress.step = u"motion-test"_s;
     progress.done = int(std::lround(share * 1000.0));

@@ -3,8 +3,11 @@
 #pragma once
 
 #include "protocol/base/axis.h"
+#include "protocol/base/progress.h"
 #include "protocol/base/result.h"
 #include "protocol/telemetry/uniformsamples.h"
+
+#include <optional>
 
 class Channel;
 class Device;
@@ -25,6 +28,11 @@ struct MotionTestPlan
     double toHz = 12;  ///< up to 20: set-points go out 50 times a second
     double sweepSeconds = 20;  ///< 5 to 120
     double limit = 4;  ///< degrees of deviation allowed beyond the movement itself; more ends the test
+    double maxRate = 0;  ///< deg/s; an axis that turns faster ends the test as well; 0: any
+    /// What strays ends the test by ConditionUnmet, with its motors on: for whoever has weakened them, and
+    /// strengthens them then. Too fast an axis is stopped all the same.
+    bool mayStray = false;
+    std::optional<Progress> told = {};  ///< what is told meanwhile, instead of how far the test is
 
     /// Errors: OutOfRange.
     [[nodiscard]] Result<void> check() const;

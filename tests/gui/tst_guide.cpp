@@ -10,6 +10,7 @@
 #include "tests/support/sticks.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/argumentform.h"
+#include "widgets/models/errortext.h"
 #include "widgets/views/inputbars.h"
 
 #include <QCheckBox>
@@ -19,6 +20,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
+#include <QSet>
 #include <QTextBrowser>
 
 using namespace Qt::StringLiterals;
@@ -37,6 +39,7 @@ private slots:
     void nothingBeginsUnconfirmed();
     void hiddenItEnds();
     void cancelledASearchEnds();
+    void cancelledThePowerIsAsBefore();
     void leftOutIsSaid();
     void tabGoesFromTheQuestionsToTheButton();
     void cancelledItKeepsWhatWasDone();
@@ -120,6 +123,11 @@ void TestGuide::anUnpackedGimbalIsTuned()
     QCOMPARE(doIt(), State::Done);
     QCOMPARE(m_rig->raw(u"motor.pitch.poles"_s), 14.0);
     QTRY_VERIFY(m_rig->workspace().motorsRunning().value_or(false));
+    page().choose(SetupStep::MotorPower);
+    const State power = doIt();
+    QVERIFY2(power == State::Done, qPrintable(page().findings()->toPlainText()));
+    QVERIFY(m_rig->raw(u"motor.roll.power"_s) > 30);  // it was too weak for the camera, and pitch too strong
+    QVERIFY(m_rig->raw(u"motor.pitch.power"_s) < 200);
     page().choose(SetupStep::Gains);
     const State gains = doIt();  // the board's own search may leave an axis that rings, which is said
     QVERIFY(gains == State::Done || page().findings()->toPlainText().contains(u"vibrates strongly"_s));
@@ -159,7 +167,7 @@ void TestGuide::anUnpackedGimbalIsTuned()
         QVERIFY(name.endsWith(u"pdf"_s) ? bytes.startsWith("%PDF") && bytes.size() > 5000
                                         : bytes.contains("Gains: ") && bytes.contains("simulated"));
     }
-    qInfo("from the box to the certificate: %d clicks, %.1f minutes", m_clicks + 9,
+    qInfo("from the box to the certificate: %d clicks, %.1f minutes", m_clicks + 10,
           double(clock.elapsed()) / 60000);
 }
 
@@ -269,6 +277,32 @@ void TestGuide::cancelledASearchEnds()
     QVERIFY(m_rig->boardGoesOn(3));
     QCOMPARE(rounds, ended);
     QCOMPARE(inUse(), before);
+}
+
+// Tried in use alone: the power from before is in use again, and stored it never was.
+void TestGuide::cancelledThePowerIsAsBefore()
+{
+    QVERIFY(m_rig->open());
+    const auto before = m_rig->raw(u"motor.roll.power"_s);
+    page().choose(SetupStep::MotorPower);
+    page().confirmBox()->setChecked(true);
+    QSet<double> tried;
+    QString told;
+    connect(&m_rig->client(), &DeviceClient::progressChanged, this, [&](const Progress &progress) {
+        if (progress.step != u"setup-power"_s)
+            return;
+        tried.insert(progress.values.value(u"power"_s));
+        told = describe(progress);
+    });
+    page().beginButton()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(tried.size() >= 2, kPatience);
+    QVERIFY2(told.startsWith(u"Roll"_s), qPrintable(told));
+    page().cancelButton()->click();
+    QTRY_VERIFY(!page().isUnderWay());
+    QVERIFY(m_rig->jobsAreDone());
+    QCOMPARE(page().record().result(SetupStep::MotorPower).state, State::Failed);
+    QCOMPARE(m_rig->raw(u"motor.roll.power"_s), before);
+    QVERIFY(m_rig->workspace().live().unsaved().empty());
 }
 
 void TestGuide::leftOutIsSaid()

@@ -659,7 +659,7 @@ void TestMainWindow::tourMakesEveryPicture_data()
                                     + QStringList{u"debug"_s, u"calibration-waiting"_s,
                                                   u"calibration-measuring"_s, u"calibration-result"_s,
                                                   u"autotune-ready"_s, u"autotune-running"_s, u"autotune"_s,
-                                                  u"offer"_s, u"quit"_s});
+                                                  u"guide-power"_s, u"offer"_s, u"quit"_s});
 }
 
 void TestMainWindow::tourMakesEveryPicture()

@@ -138,6 +138,7 @@ void TestCtlSetup::anUnpackedGimbalIsTuned()
     QVERIFY2(balanced.exitCode == 0, qPrintable(balanced.out + balanced.err));
     world("shake=1");
     QVERIFY(step({u"motors"_s, u"--confirmed"_s}, u"done"_s));
+    QVERIFY(step({u"motor-power"_s, u"--confirmed"_s}, u"done"_s));
     // The board's own search may leave an axis that rings, which is said.
     const Run gains = setup(link, {u"gains"_s});
     ++commands;

@@ -13,7 +13,11 @@
 struct SetupBench
 {
     explicit SetupBench(bool isNew = true, const Faults &faults = {}, int firmware = 0)
-        : board(unpacked(isNew, faults, firmware))
+        : SetupBench(unpacked(isNew, faults, firmware))
+    {
+    }
+    explicit SetupBench(const SimulatorOptions &options)
+        : board(options)
         , history(dir.path())
     {
         if (!board.identify())

@@ -45,6 +45,8 @@ const std::vector<Moment> &moments()
         {"balance"_L1, "setup-let-go"_L1, {WritesUnheard, WriteBreaks}},
         {"motors"_L1, "calibrate-motors"_L1, {WritesUnheard, WriteBreaks, Idle}},
         {"motors"_L1, "setup-run"_L1, {WritesUnheard, WriteBreaks, Idle}},
+        {"motor-power"_L1, "setup-power"_L1, {Idle}},
+        {"motor-power"_L1, "written"_L1, {WritesUnheard, WriteBreaks, Idle}},
         {"gains"_L1, "setup-measure"_L1, {WritesUnheard, WriteBreaks, Idle}},
         {"gains"_L1, "autotune"_L1, {WritesUnheard, WriteBreaks, Idle}},
         {"vibration"_L1, "setup-measure"_L1, {Idle}},
@@ -141,9 +143,12 @@ void TestSetupFaults::aFaultEndsAStep()
     const auto before = memoryOf(bench);
     const int write = number(at.step == "vibration"_L1 ? simplebgc::CommandId::WriteParamsExt
                                                        : simplebgc::CommandId::WriteParams3);
+    const int power = bench.stored(u"motor.roll.power"_s);
     bool hasCome = false;
     bench.board.channel.setOperator([&](const Progress &progress) {
-        const bool isWritten = at.when == "written"_L1 && bench.stored(u"imu.main.axis_right"_s) == -1;
+        const bool isWritten = at.when == "written"_L1
+            && (at.step == "orientation"_L1 ? bench.stored(u"imu.main.axis_right"_s) == -1
+                                            : bench.stored(u"motor.roll.power"_s) != power);
         if ((isWritten || progress.step == at.when) && !std::exchange(hasCome, true)) {
             switch (Fault(fault)) {
             case Fault::Unplugged: bench.world(u"unplug=0"_s); break;
@@ -167,6 +172,9 @@ void TestSetupFaults::aFaultEndsAStep()
     QVERIFY2(std::find(expected.begin(), expected.end(), result.error().code) != expected.end(),
              qPrintable(u"%1 %2"_s.arg(int(result.error().code)).arg(result.error().detail)));
     QVERIFY(!bench.record.result(findSetupStep(at.step)->step).isOver());
+    // Nor is anything left in use, unless the board cannot be told any more.
+    if (at.step == "motor-power"_L1 && result.error().code != ErrorCode::NotRestored)
+        QCOMPARE(bench.board.board().inUse(u"motor.roll.power"_s), power);
     if (at.step == "motors"_L1 && (Fault(fault) == Fault::Silent || Fault(fault) == Fault::Cancelled))
         QVERIFY(!bench.board.board().stabilizer().motorsOn());
     // As it was; or it is noted how it was, for the next connection.

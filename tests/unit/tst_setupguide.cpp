@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/procedure/trialnote.h"
 #include "tests/support/setupbench.h"
 
 #include <QTest>
@@ -24,6 +25,12 @@ private slots:
     void aWrongTiltIsTold();
     void whatIsNotHeldLevelIsNotMeasured();
     void motorsThatRunAwayAreStopped();
+    void powerIsWhatAnAxisNeeds_data();
+    void powerIsWhatAnAxisNeeds();
+    void whatNoPowerHoldsIsTold();
+    void anAxisThatRunsAwayGetsItsPowerBack();
+    void refusedPowerChangesNothing();
+    void hotMotorsAreTold();
     void worseGainsAreTakenBack();
     void aNotchIsKeptWhereItHelps();
     void motorsThatAreOffAreNoMeasurement();
@@ -85,11 +92,15 @@ void TestSetupGuide::anUnpackedGimbalIsTuned()
     QVERIFY(bench.board.board().stabilizer().motorsOn());
     QVERIFY(*result->figure(u"strays.pitch"_s) < 10);
 
+    result = bench.run("motor-power");
+    QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
+    QVERIFY(bench.stored(u"motor.roll.power"_s) > 30 && bench.stored(u"motor.pitch.power"_s) < 230);
+
     result = bench.run("gains");
     QVERIFY2(result && result->remarks.contains(u"gains.better"_s), qPrintable(why(result)));
     QCOMPARE(result->state == State::Poor, result->remarks.contains(u"gains.shakes"_s));
     for (const SetupFigure &figure : result->figures)
-        QVERIFY2(!figure.before || figure.value < *figure.before, qPrintable(figure.key));
+        QVERIFY2(!figure.before || figure.value < *figure.before, qPrintable(why(result)));
     // Held as the board's own search holds it, and that is what is stored.
     QVERIFY(*result->figure(u"holds.pitch"_s) < 0.1);
     QVERIFY(bench.stored(u"pid.pitch.p"_s) > 12);
@@ -242,6 +253,120 @@ void TestSetupGuide::motorsThatRunAwayAreStopped()
     QCOMPARE(bench.stored(u"motor.roll.poles"_s), 22);  // as it was
 }
 
+void TestSetupGuide::powerIsWhatAnAxisNeeds_data()
+{
+    QTest::addColumn<int>("firmware");
+    QTest::addColumn<double>("strength");
+    QTest::addColumn<int>("start");
+    QTest::newRow("too weak") << 2590 << 0.15 << 20;
+    QTest::newRow("too strong") << 2590 << 0.15 << 255;
+    QTest::newRow("about right") << 2590 << 0.15 << 150;
+    QTest::newRow("a strong motor") << 2590 << 1.0 << 150;
+    QTest::newRow("a weak motor") << 2590 << 0.1 << 60;
+    QTest::newRow("the newest firmware") << 2738 << 0.15 << 20;
+}
+
+// It has to overcome friction and cogging while the hand sways, and to hold what is out of balance: what that
+// is, the plant knows.
+void TestSetupGuide::powerIsWhatAnAxisNeeds()
+{
+    QFETCH(int, firmware);
+    QFETCH(double, strength);
+    QFETCH(int, start);
+    SimulatorOptions options = withFirmware(firmware);
+    options.faults.imbalance = 5;
+    SetupBench bench(options);
+    Stabilizer &world = bench.board.board().stabilizer();
+    world.plant(Axis::Roll).setMotorStrength(strength);
+    bench.board.board().store(u"motor.roll.power"_s, 0, start);
+    QVERIFY(bench.board.channel.sleep(3s));
+    const auto result = bench.run("motor-power");
+    QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
+    const AxisMechanics &roll = world.plant(Axis::Roll).mechanics();
+    const double resists = roll.coulomb + roll.cogging + 0.05 * roll.imbalance + roll.viscous * 15;
+    const double needs = 255 * resists / (roll.fullTorque * strength);
+    const double found = *result->figure(u"need.roll"_s);
+    QVERIFY2(found > 0.5 * needs && found <= std::max(25.0, 1.6 * needs),
+             qPrintable(u"%1 of %2: %3"_s.arg(found).arg(needs).arg(why(result))));
+    const int power = bench.stored(u"motor.roll.power"_s);
+    QCOMPARE(power, std::clamp(int(2 * found), 50, 204));
+    QCOMPARE(bench.board.board().inUse(u"motor.roll.power"_s), power);
+    QCOMPARE(*result->figure(u"motorpower.roll"_s), double(power));
+    QVERIFY(*result->figure(u"settles.roll"_s) < 0.5);
+    QVERIFY(!result->snapshot.isEmpty());
+    QVERIFY(!keptTrial(bench.history, bench.board.device.identity()));
+    QCOMPARE(result->figure(u"heat.roll"_s).has_value(), firmware >= 2680);
+    QCOMPARE(result->remarks.contains(u"motorpower.untold"_s), firmware < 2680);
+    // Held against the hand, and found so again.
+    QVERIFY(bench.board.channel.sleep(3s));
+    QVERIFY(std::abs(world.estimate(Axis::Roll) - world.target(Axis::Roll)) < 1);
+    const auto again = bench.run("motor-power");
+    QVERIFY2(again && again->state == State::Done, qPrintable(why(again)));
+    QVERIFY2(std::abs(*again->figure(u"motorpower.roll"_s) - power) < 0.25 * power, qPrintable(why(again)));
+}
+
+void TestSetupGuide::whatNoPowerHoldsIsTold()
+{
+    SetupBench bench(false);
+    bench.board.board().stabilizer().plant(Axis::Pitch).setMotorStrength(0.02);
+    const int roll = bench.stored(u"motor.roll.power"_s);
+    const auto result = bench.run("motor-power");
+    QVERIFY2(!result && result.error().code == ErrorCode::ConditionUnmet, qPrintable(why(result)));
+    QVERIFY2(result.error().detail.contains(u"pitch is not held"_s), qPrintable(result.error().detail));
+    for (const auto &key : {u"motor.roll.power"_s, u"motor.pitch.power"_s}) {
+        QCOMPARE(bench.stored(key), roll);
+        QCOMPARE(bench.board.board().inUse(key), roll);
+    }
+}
+
+// As by a plug that is pulled in the middle: the motors stop, and the old power is back.
+void TestSetupGuide::anAxisThatRunsAwayGetsItsPowerBack()
+{
+    SetupBench bench(false);
+    const int power = bench.stored(u"motor.roll.power"_s);
+    int tries = 0;
+    bench.board.channel.setOperator([&](const Progress &progress) {
+        if (progress.step == u"setup-power"_s && ++tries == 40)
+            bench.board.board().store(u"motor.roll.invert"_s, 0, 1);
+    });
+    const auto result = bench.run("motor-power");
+    QVERIFY2(!result && result.error().code == ErrorCode::Diverged, qPrintable(why(result)));
+    QVERIFY(bench.board.channel.sleep(200ms));
+    QVERIFY(!bench.board.board().stabilizer().motorsOn());
+    QCOMPARE(bench.stored(u"motor.roll.power"_s), power);
+    QCOMPARE(bench.board.board().inUse(u"motor.roll.power"_s), power);
+}
+
+void TestSetupGuide::refusedPowerChangesNothing()
+{
+    SetupBench bench(false);
+    const int power = bench.stored(u"motor.roll.power"_s);
+    bench.world(u"deaf=%1"_s.arg(number(simplebgc::CommandId::SetAdjVarsVal)));
+    const auto result = bench.run("motor-power");
+    QVERIFY2(!result && result.error().code == ErrorCode::NotInUse, qPrintable(why(result)));
+    QCOMPARE(bench.stored(u"motor.roll.power"_s), power);
+    QCOMPARE(bench.board.board().inUse(u"motor.roll.power"_s), power);
+}
+
+// Motors that had too much power for long are hot, and say so where the firmware tells it.
+void TestSetupGuide::hotMotorsAreTold()
+{
+    SetupBench bench(withFirmware(2738));
+    SimulatedImu &imu = bench.board.board().stabilizer().imu();
+    imu.gyroCorrection = imu.gyroBias;  // or yaw wanders to its stop meanwhile
+    bench.board.board().store(u"motor.roll.power"_s, 0, 255);
+    QVERIFY(bench.board.channel.sleep(300s));
+    const auto result = bench.run("motor-power");
+    QVERIFY2(result && result->state == State::Poor, qPrintable(why(result)));
+    QVERIFY(result->remarks.contains(u"motorpower.hot"_s));
+    QVERIFY(bench.stored(u"motor.roll.power"_s) < 150);
+    // Cooler now, it is good.
+    QVERIFY(bench.board.channel.sleep(600s));
+    const auto again = bench.run("motor-power");
+    QVERIFY2(again && again->state == State::Done, qPrintable(why(again)));
+    QVERIFY(*again->figure(u"heat.roll"_s) < *result->figure(u"heat.roll"_s) - 20);
+}
+
 // Whatever the reason: what is held worse afterwards is not kept.
 void TestSetupGuide::worseGainsAreTakenBack()
 {
@@ -287,7 +412,7 @@ void TestSetupGuide::motorsThatAreOffAreNoMeasurement()
 {
     SetupBench bench(false);
     bench.board.board().stabilizer().setMotorsOn(false);
-    for (const char *key : {"gains", "vibration"}) {
+    for (const char *key : {"motor-power", "gains", "vibration"}) {
         const auto result = bench.run(key);
         QVERIFY(!result);
         QCOMPARE(result.error().code, ErrorCode::Unready);

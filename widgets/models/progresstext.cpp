@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/errortext.h"
+#include "widgets/models/parametermodel.h"
 
 #include <QCoreApplication>
 
@@ -120,6 +121,13 @@ QString describe(const Progress &progress)
         return ProgressWords::tr("Script %1 runs: command %2")
             .arg(subject)
             .arg(int(progress.values.value(u"command"_s)));
+    if (progress.step == u"setup-power"_s) {
+        const auto axis = std::ranges::find_if(
+            kAxes, [&](Axis each) { return progress.subject == QLatin1String(axisKey(each)); });
+        return ProgressWords::tr("%1: is it held with a power of %2?")
+            .arg(axis == kAxes.end() ? progress.subject : axisLabel(*axis))
+            .arg(int(progress.values.value(u"power"_s)));
+    }
     const auto words = std::ranges::find_if(
         kStepWords, [&](const StepWords &each) { return progress.step == QLatin1String(each.step); });
     if (words == std::end(kStepWords))

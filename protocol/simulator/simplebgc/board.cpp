@@ -90,8 +90,9 @@ void SimulatedBoard::loadDefaults(int profile)
 }
 
 // As it comes out of its box: motors that nobody has told of, one of them the wrong way round, a sensor that
-// is told to sit as on the manufacturer's own gimbal (errata 3.4), gains that suit no camera in particular,
-// thresholds of another battery, sticks that are swapped and one that is the wrong way round.
+// is told to sit as on the manufacturer's own gimbal (errata 3.4), gains and powers that suit no camera in
+// particular, thresholds of another battery, sticks that are swapped and one that is the wrong way round. The
+// camera is large for its motors.
 void SimulatedBoard::unpack()
 {
     m_ram = m_eeprom[std::size_t(m_active)];
@@ -104,8 +105,15 @@ void SimulatedBoard::unpack()
             }
         }
     }
-    for (const Axis axis : kAxes)
-        store(u"motor.%1.poles"_s.arg(QLatin1String(axisKey(axis))), 0, 22);
+    constexpr std::array kStrengths{0.25, 0.2, 0.25};
+    constexpr std::array kPowers{20, 230, 150};
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
+        const QString name = QLatin1String(axisKey(kAxes[i]));
+        m_stabilizer.plant(kAxes[i]).setMotorStrength(kStrengths[i]);
+        store(u"motor.%1.poles"_s.arg(name), 0, 22);
+        for (int profile = 0; profile < kProfileCount; ++profile)
+            store(u"motor.%1.power"_s.arg(name), profile, kPowers[i]);
+    }
     store(u"motor.pitch.invert"_s, 0, 1);
     store(u"imu.main.axis_top"_s, 0, -1);
     store(u"imu.main.axis_right"_s, 0, 3);
