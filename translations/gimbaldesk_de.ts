@@ -21275,10 +21275,6 @@ Spitze %2°</translation>
         <translation>Jeder Motor hat das Doppelte der Leistung, die seine Achse braucht, und hält sie damit.</translation>
     </message>
     <message>
-        <source>Lowest power that holds it</source>
-        <translation>Niedrigste Leistung, die sie hält</translation>
-    </message>
-    <message>
         <source>Motors get warm in minutes: see on the page Monitor how warm these are after ten.</source>
         <translation>Motoren werden in Minuten warm: sehen Sie auf der Seite Monitor, wie warm diese nach zehn Minuten sind.</translation>
     </message>
@@ -21305,6 +21301,10 @@ Spitze %2°</translation>
     <message>
         <source>This board does not tell how warm its motors are: touch them after ten minutes. What is too hot to touch has too much power.</source>
         <translation>Dieses Board meldet nicht, wie warm seine Motoren sind: fassen Sie sie nach zehn Minuten an. Was zu heiß zum Anfassen ist, hat zu viel Leistung.</translation>
+    </message>
+    <message>
+        <source>Still held with a power of</source>
+        <translation>Noch gehalten mit einer Leistung von</translation>
     </message>
 </context>
 <context>

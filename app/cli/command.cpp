@@ -183,8 +183,13 @@ void BoardCommand::start(DeviceClient &client)
     if (moves()) {
         tellCondition(client);
         const ChannelRoles &roles = client.roles();
+        QList<int> live = ChannelRoles::present({roles.angle, roles.target, roles.gyro});
+        for (const int channel : awaits(*client.device())) {
+            if (!live.contains(channel))
+                live.append(channel);
+        }
         if (client.device()->steering() && !client.address().isReplay())
-            client.subscribe({ChannelRoles::present({roles.angle, roles.target, roles.gyro})});
+            client.subscribe({live});
     }
     m_telemetry = client.telemetry();
     if (const QList<int> channels = awaits(*client.device()); !channels.isEmpty())

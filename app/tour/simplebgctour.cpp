@@ -288,7 +288,7 @@ void Tour::addCalibrationSteps()
                         guide()->beginButton()->click();
                     },
                     [guide] { return guide()->isUnderWay(); },
-                    3000,
+                    6000,
                     {},
                     true});
     m_steps.append({{},

@@ -53,7 +53,14 @@ struct SetupGuide::PowerTrial
     Progress told = {};
     bool isWritten = false;
 
-    /// What counts as much as that axis' own part of the way.
+    void tells(Axis axis, double power)
+    {
+        told.step = u"setup-power"_s;
+        told.subject = QLatin1String(axisKey(axis));
+        told.total = 100;
+        told.values = {{u"power"_s, power}};
+    }
+    /// @param share of that axis' own part of the way
     void goesOn(Axis axis, double share)
     {
         const auto at = std::find(axes.begin(), axes.end(), axis) - axes.begin();
@@ -124,6 +131,7 @@ Result<SetupResult> SetupGuide::findPowers(PowerTrial &trial)
             return tl::unexpected(written.error());
     }
     for (const Axis axis : trial.axes) {
+        trial.tells(axis, *result.figure(setupFigureKey("motorpower", axis)));
         const auto off = probe(trial, axis);
         if (!off)
             return tl::unexpected(off.error());
@@ -194,10 +202,7 @@ Result<void> SetupGuide::usePower(PowerTrial &trial, Axis axis, int power)
         return set;
     if (const auto kept = keepTrial(m_history, trial.base, trial.tried); !kept)
         return kept;
-    trial.told.step = u"setup-power"_s;
-    trial.told.subject = QLatin1String(axisKey(axis));
-    trial.told.total = 100;
-    trial.told.values = {{u"power"_s, double(power)}};
+    trial.tells(axis, power);
     m_channel.progress(trial.told);
     return m_device.live()->writeAdjustables(m_channel, {{m_device.live()->variableOf(spec), double(power)}});
 }

@@ -88,7 +88,7 @@ constexpr SetupFigureSpec kFigures[] = {
     {"alarm", "Alarm below", "V", 2}, {"off", "Motors off below", "V", 2},
     {"bias", "Zero of the gyroscope", "°/s", 3}, {"askew", "Sensor off the camera's level", "°", 1}, {"acc", "Error of the accelerometer", "g", 4},
     {"drift", "Swings when let go", "°", 1}, {"poles", "Poles", "", 0},     {"strays", "Strays from its target", "°", 1},
-    {"motorpower", "Power", "/ 255", 0}, {"need", "Lowest power that holds it", "/ 255", 0}, {"settles", "Off its target after a move", "° RMS", 2},
+    {"motorpower", "Power", "/ 255", 0}, {"need", "Still held with a power of", "/ 255", 0}, {"settles", "Off its target after a move", "° RMS", 2},
     {"current", "Current of the gimbal", "A", 2}, {"heat", "Temperature of the motor", "°C", 0},
     {"holds", "Held to", "° RMS", 3}, {"line", "Strongest line", "Hz", 1},
     {"shakes", "Vibrates", "°/s RMS", 2}, {"lowest", "Lowest angle", "°", 0}, {"highest", "Highest angle", "°", 0},
