@@ -122,20 +122,24 @@ void LiveAccess::note(TimePoint now, const std::vector<AdjustableValue> &before,
         const AdjustableValue *was = findValue(before, value.id);
         if (!was)
             continue;
-        // What matters is what was in use before the first of the writes.
-        const bool isKnown = findValue(m_change->before, value.id) != nullptr;
-        if (!isKnown && was->value == value.value)
-            continue;
-        if (!isKnown) {
-            m_change->before.push_back(*was);
-            m_change->after.push_back(value);
-        } else {
-            for (AdjustableValue &known : m_change->after) {
-                if (known.id == value.id)
-                    known.value = value.value;
-            }
+        // What matters is what was in use before the first of the writes. What is so again is no change.
+        std::vector<AdjustableValue> &first = m_change->before;
+        std::vector<AdjustableValue> &last = m_change->after;
+        const auto known = std::find_if(first.begin(), first.end(),
+                                        [&](const AdjustableValue &each) { return each.id == value.id; });
+        const auto place = known - first.begin();
+        const double original = known == first.end() ? was->value : known->value;
+        if (known != first.end()) {
+            first.erase(known);
+            last.erase(last.begin() + place);
+        }
+        if (original != value.value) {
+            first.insert(first.begin() + place, {value.id, original});
+            last.insert(last.begin() + place, value);
         }
     }
+    if (m_change->before.empty())
+        m_change.reset();
 }
 
 std::optional<LiveChange> LiveAccess::lastChange() const

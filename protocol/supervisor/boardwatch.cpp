@@ -214,7 +214,8 @@ bool Supervisor::isOver(const Alarm &alarm, double now) const
                  && m_battery < lowBattery(m_cells, m_rules.cellVolts, m_rules.battery).value_or(0.0)
                          + m_cells * kCellRise);
     case AlarmKind::Disarmed: return m_armed != 0 || m_outputs <= 0;
-    case AlarmKind::Stale: return !m_situation.isSteered || now - lastSeen() <= patience();
+    // Nor does it come back because nobody steers it any more.
+    case AlarmKind::Stale: return now - lastSeen() <= patience();
     case AlarmKind::Count: break;
     }
     return true;

@@ -183,6 +183,8 @@ private slots:
     void unreadTuningIsAChange();
     void changeIsTakenBackOnce_data();
     void changeIsTakenBackOnce();
+    void thereAndBackIsNoChange();
+    void silenceIsNotOverBecauseNobodySteers();
     void stormTooMuchGainIsNamed_data();
     void stormTooMuchGainIsNamed();
     void blamelessChangeIsNotNamed();
@@ -396,6 +398,30 @@ void TestSupervisor::changeIsTakenBackOnce()
     QCOMPARE(bench.board().inUse(u"pid.pitch.d"_s), others ? 70 : before);
 }
 
+// What went there and back within a second is in use as before.
+void TestSupervisor::thereAndBackIsNoChange()
+{
+    Bench bench;
+    const double before = bench.board().inUse(u"pid.pitch.d"_s);
+    const auto set = [&bench](int variable, double value) {
+        return bench.device.writeAdjustables(bench.channel, {{variable, value}}).has_value();
+    };
+    QVERIFY(set(7, before + 40));
+    QVERIFY(bench.device.lastChange());
+    QVERIFY(set(7, before));
+    QVERIFY(!bench.device.lastChange());
+    QCOMPARE(bench.device.takeBack(bench.channel).error().code, ErrorCode::NoEffect);
+    // Of two, the other one is left.
+    const double gain = bench.board().inUse(u"pid.pitch.p"_s);
+    QVERIFY(set(7, before + 40) && set(1, gain + 5) && set(7, before));
+    const auto change = bench.device.lastChange();
+    QVERIFY(change);
+    QCOMPARE(change->before, (std::vector<AdjustableValue>{{1, gain}}));
+    QCOMPARE(change->after, (std::vector<AdjustableValue>{{1, gain + 5}}));
+    QVERIFY(bench.device.takeBack(bench.channel));
+    QCOMPARE(bench.board().inUse(u"pid.pitch.p"_s), gain);
+}
+
 void TestSupervisor::stormTooMuchGainIsNamed_data()
 {
     QTest::addColumn<QString>("key");
@@ -599,6 +625,24 @@ void TestSupervisor::staleDataAreToldWhileSteering()
     QCOMPARE(alarms.size(), 1U);
     QCOMPARE(alarms.front().kind, AlarmKind::Stale);
     QVERIFY(alarms.front().time > 6.45 && alarms.front().time < 6.7);
+}
+
+void TestSupervisor::silenceIsNotOverBecauseNobodySteers()
+{
+    Supervisor supervisor;
+    std::optional<double> ended;
+    SupervisedSituation situation;
+    situation.period = 0.02;
+    for (double time = 0; time < 12; time += 0.02) {
+        situation.isSteered = time > 1 && time < 4;
+        supervisor.setSituation(situation);
+        if (time < 2 || time > 8)
+            supervisor.add(sampleOf(time, 0, 0));
+        supervisor.look(time);
+        if (!supervisor.takeEnded().empty())
+            ended = time;
+    }
+    QVERIFY(ended && *ended > 8);
 }
 
 // Status that goes on, and values that come again and again, do not show how the camera moves.
