@@ -5,6 +5,7 @@
 #include "protocol/base/filefault.h"
 #include "protocol/configuration/linediff.h"
 #include "protocol/configuration/scriptlanguage.h"
+#include "protocol/device/flight.h"
 
 #include <algorithm>
 
@@ -135,14 +136,28 @@ private:
         return outcome;
     }
 
+    // What speaks against the texts, a line each.
+    [[nodiscard]] static QStringList doubtsOf(const Device &device, const Configuration &wanted)
+    {
+        QStringList lines;
+        const FlyingMachine *flight = device.flight();
+        for (const ScriptMistake &doubt : flight ? flight->doubts(wanted) : std::vector<ScriptMistake>())
+            lines.append(u"line %1: %2"_s.arg(QString::number(doubt.line),
+                                              doubt.sentence(QString::fromUtf8(doubt.what))));
+        return lines;
+    }
+
     // Without a board, whatever board could have such a text.
     [[nodiscard]] Result<CommandOutcome> checkAlone() const
     {
         std::vector<BlockSpec> checked;
+        std::optional<Family> meant;
         for (const Family &family : families()) {
             for (const BlockSpec &block : family.makeParameters(BoardIdentity())->blocks()) {
-                if (block.isText() && block.check && isNamed(block))
+                if (block.isText() && block.check && isNamed(block)) {
                     checked.push_back(block);
+                    meant = family;
+                }
             }
         }
         if (checked.empty())
@@ -154,9 +169,14 @@ private:
             return tl::unexpected(text.error());
         if (auto refused = refusal(checked.front(), *text))
             return *refused;
+        Configuration wanted(BoardIdentity(), meant->makeParameters(BoardIdentity()));
+        wanted.setBlock({0, checked.front().id}, *text);
+        const QStringList doubts = doubtsOf(*meant->makeDevice(), wanted);
         CommandOutcome outcome;
-        outcome.json = QJsonObject{{u"valid"_s, true}};
+        outcome.json = QJsonObject{{u"valid"_s, true}, {u"doubts"_s, QJsonArray::fromStringList(doubts)}};
         outcome.text = u"valid %1\n"_s.arg(QLatin1String(checked.front().language));
+        for (const QString &doubt : doubts)
+            outcome.text += u"against it: %1\n"_s.arg(doubt);
         outcome.note = u"that does not prove that the board starts with it"_s;
         return outcome;
     }
@@ -229,6 +249,8 @@ private:
         emit told(shown.text.chopped(1));
         Configuration edited = *base;
         edited.setBlock(key, text);
+        for (const QString &doubt : doubtsOf(device, edited))
+            emit told(u"against the text: "_s + doubt);
         options.named.insert(QLatin1String(block.data));
         return writeAndTellMissing(channel, device, *base, edited, options);
     }

@@ -66,6 +66,7 @@ public:
     [[nodiscard]] const FlyingMachine *flight() const override { return this; }
     [[nodiscard]] const char *refusal() const override;
     [[nodiscard]] QByteArray axesKey(const Configuration &configuration) const override;
+    [[nodiscard]] std::vector<ScriptMistake> doubts(const Configuration &configuration) const override;
     [[nodiscard]] const char *calibration() const override { return "calibrate.all"; }
     Result<void> checkMayTake(Channel &channel, const RawCommand &command) override;
     Result<bool> askArmed(Channel &channel) override;

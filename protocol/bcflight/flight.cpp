@@ -3,6 +3,7 @@
 // How a drone is steered and stopped (errata 4.3, 9).
 #include "protocol/bcflight/decoder.h"
 #include "protocol/bcflight/device.h"
+#include "protocol/bcflight/luadoubts.h"
 #include "protocol/bcflight/luatext.h"
 #include "protocol/bcflight/tables.h"
 #include "protocol/session/channel.h"
@@ -130,6 +131,11 @@ QByteArray Device::axesKey(const Configuration &configuration) const
     }
     text += configuration.identity().firmware.toUtf8();
     return QCryptographicHash::hash(text, QCryptographicHash::Sha1).toHex();
+}
+
+std::vector<ScriptMistake> Device::doubts(const Configuration &configuration) const
+{
+    return findDoubts(configuration.block({0, ConfigurationText}));
 }
 
 Result<void> Device::checkMaySend(Channel &channel, Message id) const

@@ -322,10 +322,10 @@ QByteArray replaced(const QByteArray &text, const Literal &literal, double value
     return text.first(literal.from) + number + text.sliced(literal.to);
 }
 
-std::vector<MotorMix> findMotors(const QByteArray &text)
+static std::vector<std::pair<qsizetype, MotorMix>> placedMotors(const QByteArray &text)
 {
     const QByteArray code = onlyCode(text);
-    std::vector<MotorMix> motors;
+    std::vector<std::pair<qsizetype, MotorMix>> motors;
     for (qsizetype found = code.indexOf("Vector"); found >= 0; found = code.indexOf("Vector", found + 1)) {
         qsizetype at = found;
         if ((found > 0 && isWordLetter(code[found - 1])) || !takeWord(code, at, "Vector")
@@ -339,9 +339,50 @@ std::vector<MotorMix> findMotors(const QByteArray &text)
             mix[i] = literal ? literal->value : 0;
         }
         if (isPlain)
-            motors.push_back(mix);
+            motors.emplace_back(found, mix);
     }
     return motors;
+}
+
+std::vector<MotorMix> findMotors(const QByteArray &text)
+{
+    std::vector<MotorMix> motors;
+    for (const auto &[place, mix] : placedMotors(text))
+        motors.push_back(mix);
+    return motors;
+}
+
+std::vector<qsizetype> motorRows(const QByteArray &text)
+{
+    std::vector<qsizetype> places;
+    for (const auto &[place, mix] : placedMotors(text))
+        places.push_back(place);
+    return places;
+}
+
+std::optional<int> countEntries(const QByteArray &text, const QString &name)
+{
+    const QByteArray code = onlyCode(text);
+    const auto places = assignments(code, name.toLatin1());
+    qsizetype at = places.size() == 1 ? places.front() : code.size();
+    if (!take(code, at, '{'))
+        return {};
+    int entries = 0;
+    bool isEmpty = true;
+    for (int depth = 1; at < code.size(); ++at) {
+        const char letter = code[at];
+        depth += letter == '{' || letter == '(' || letter == '[';
+        depth -= letter == '}' || letter == ')' || letter == ']';
+        if (depth == 0)
+            return entries + (isEmpty ? 0 : 1);
+        if (depth == 1 && (letter == ',' || letter == ';')) {
+            entries += isEmpty ? 0 : 1;
+            isEmpty = true;
+        } else if (!std::isspace(static_cast<unsigned char>(letter))) {
+            isEmpty = false;
+        }
+    }
+    return {};
 }
 
 }  // namespace bcflight

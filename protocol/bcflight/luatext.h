@@ -9,6 +9,7 @@
 #include <QString>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace bcflight {
@@ -50,6 +51,10 @@ using MotorMix = std::array<double, 4>;
 /// The rows `Vector( roll, pitch, yaw, thrust )` of the motors, in their order. Empty: none was found, or
 /// they are not four plain numbers each.
 [[nodiscard]] std::vector<MotorMix> findMotors(const QByteArray &text);
+/// Where each of those rows stands.
+[[nodiscard]] std::vector<qsizetype> motorRows(const QByteArray &text);
+/// Entries of the one table that is set as `name = { ... }`; empty: there is none, or more than one.
+[[nodiscard]] std::optional<int> countEntries(const QByteArray &text, const QString &name);
 
 /// The line, from 1, in which a byte stands.
 [[nodiscard]] int lineAt(const QByteArray &text, qsizetype position);

@@ -4,8 +4,11 @@
 
 #include "protocol/base/clock.h"
 #include "protocol/base/result.h"
+#include "protocol/configuration/scriptmistake.h"
 
 #include <QByteArray>
+
+#include <vector>
 
 class Channel;
 class Configuration;
@@ -34,6 +37,8 @@ public:
     /// What of a configuration, and of the program that it was read from, decides how its axes are counted
     /// and its motors take part. Where it changes, the directions have to be checked anew.
     [[nodiscard]] virtual QByteArray axesKey(const Configuration &configuration) const = 0;
+    /// What speaks against its texts, found without running them. Empty proves nothing.
+    [[nodiscard]] virtual std::vector<ScriptMistake> doubts(const Configuration &configuration) const = 0;
     /// Whether it may be told this now; where that depends on its state it is asked. On the worker. Errors:
     /// ConditionUnmet (it is armed or calibrates), those of the channel.
     virtual Result<void> checkMayTake(Channel &channel, const RawCommand &command) = 0;

@@ -3,6 +3,7 @@
 #include "protocol/base/checksum.h"
 #include "protocol/bcflight/framer.h"
 #include "protocol/bcflight/infotext.h"
+#include "protocol/bcflight/luadoubts.h"
 #include "protocol/bcflight/luatext.h"
 #include "protocol/bcflight/payloads.h"
 #include "tests/unit/bcflightvectors.h"
@@ -108,6 +109,11 @@ private slots:
     void otherThanPlainIsRefused_data();
     void otherThanPlainIsRefused();
     void motorsAreFound();
+    void entriesAreCounted();
+    void doubtsAreFound_data();
+    void doubtsAreFound();
+    void nothingIsDoubtedWithoutCause_data();
+    void nothingIsDoubtedWithoutCause();
 };
 
 void TestBcflightWire::checksumIsCastagnoli()
@@ -583,6 +589,102 @@ void TestBcflightWire::motorsAreFound()
     QCOMPARE(motors.size(), std::size_t(4));
     QCOMPARE(motors[1], (MotorMix{-1, -1, 1, 1}));
     QVERIFY(findMotors("Vector( 1, 2, 3 )").empty());
+}
+
+void TestBcflightWire::entriesAreCounted()
+{
+    QCOMPARE(countEntries("motors = { DShot( 1, 2 ), PWM{ a = 1, b = 2 }; x, }", u"motors"_s),
+             std::optional(3));
+    QCOMPARE(countEntries("motors = { -- a, b\n }", u"motors"_s), std::optional(0));
+    QVERIFY(!countEntries("motors = build()", u"motors"_s));
+    QVERIFY(!countEntries("motors = { a }\nmotors = { b }", u"motors"_s));
+    QVERIFY(!countEntries("motors = { a", u"motors"_s));
+}
+
+void TestBcflightWire::doubtsAreFound_data()
+{
+    QTest::addColumn<QByteArray>("before");
+    QTest::addColumn<QByteArray>("after");
+    QTest::addColumn<QString>("says");
+    QTest::addColumn<int>("line");
+    const int first = 15;  // the first row of the mixing
+    const QByteArray mixed = "Vector( 1, -1, -1, 1 ) ),\n    PWM( 23 ):mix( Vector( -1.0, -1, 1, 1 ) ),\n"
+                             "    PWM( 24 ):mix( Vector( 1, 1, 1, 1 ) ),\n"
+                             "    PWM( 25 ):mix( Vector( -1, 1, -1, 1 )";
+    const QByteArray alike = "Vector( -1, -1, -1, 1 ) ),\n    PWM( 23 ):mix( Vector( -1.0, -1, 1, 1 ) ),\n"
+                             "    PWM( 24 ):mix( Vector( 1, 1, 1, 1 ) ),\n"
+                             "    PWM( 25 ):mix( Vector( 1, 1, -1, 1 )";
+    QTest::newRow("axes alike") << mixed << alike << u"roll and pitch drive the motors alike"_s << first;
+    QTest::newRow("sign") << QByteArray("Vector( 1, -1, -1, 1 )") << QByteArray("Vector( -1, -1, -1, 1 )")
+                          << u"roll add up to -2"_s << first;
+    QTest::newRow("beyond 1") << QByteArray("Vector( -1.0, -1, 1, 1 )")
+                              << QByteArray("Vector( -1.0, -1, 1.5, 1 )") << u"motor 2 is beyond 1: 1.5"_s
+                              << first + 1;
+    QTest::newRow("no lift") << QByteArray("Vector( 1, 1, 1, 1 )") << QByteArray("Vector( 1, 1, 1, 0 )")
+                             << u"motor 3 does not lift"_s << first + 2;
+    QTest::newRow("a row less") << QByteArray("PWM( 25 ):mix( Vector( -1, 1, -1, 1 ) )")
+                                << QByteArray("PWM( 25 )") << u"3 rows for 4 motors"_s << first;
+    const QByteArray end = "frame.motors";
+    const auto with = [&end](const QByteArray &text) { return text + '\n' + end; };
+    QTest::newRow("command") << end << with("os.execute \"reboot\"") << u"os.execute acts"_s << first - 1;
+    QTest::newRow("by another name") << end << with("local run = os . execute") << u"os.execute acts"_s
+                                     << first - 1;
+    QTest::newRow("by a key") << end << with("os[ \"exit\" ]()") << u"os[ acts"_s << first - 1;
+    QTest::newRow("reboot") << end << with("Board.reboot()") << u"reboot acts"_s << first - 1;
+    QTest::newRow("in a function") << end << with("on = function() os.exit( 1 ) end")
+                                   << u"os.exit acts on the drone's computer when this function"_s
+                                   << first - 1;
+    QTest::newRow("endless") << end << with("while true do x = 1 end") << u"never ends"_s << first - 1;
+    QTest::newRow("endless, repeated")
+        << end << with("repeat if x then y() end until false") << u"never ends"_s << first - 1;
+    QTest::newRow("ends the loading") << end << with("error( \"no\" )") << u"ends the loading"_s << first - 1;
+}
+
+void TestBcflightWire::doubtsAreFound()
+{
+    QFETCH(QByteArray, before);
+    QFETCH(QByteArray, after);
+    QFETCH(QString, says);
+    QFETCH(int, line);
+    QCOMPARE(int(findDoubts(kConfiguration).size()), 0);
+    QVERIFY(kConfiguration.contains(before));
+    QByteArray text = kConfiguration;
+    text.replace(before, after);
+    QStringList found;
+    bool isThere = false;
+    for (const ScriptMistake &doubt : findDoubts(text)) {
+        const QString sentence = doubt.sentence(QString::fromUtf8(doubt.what));
+        found.append(u"%1: %2"_s.arg(doubt.line).arg(sentence));
+        isThere |= doubt.line == line && sentence.contains(says);
+    }
+    QVERIFY2(isThere, qPrintable(found.join(u'\n')));
+}
+
+// What only looks like it, and what has a way out.
+void TestBcflightWire::nothingIsDoubtedWithoutCause_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::newRow("comment") << QByteArray("-- os.execute( \"reboot\" )");
+    QTest::newRow("string") << QByteArray("name = \"os.execute\"");
+    QTest::newRow("another's field") << QByteArray("os.time() exit = 1 cost = costs.execute");
+    QTest::newRow("a function of that name") << QByteArray("function reboot() return 1 end");
+    QTest::newRow("left") << QByteArray("while true do if x then break end end");
+    QTest::newRow("in a function") << QByteArray("run = function() while true do wait() end end");
+    QTest::newRow("ends") << QByteArray("while x < 3 do x = x + 1 end repeat until y");
+    QTest::newRow("guarded error") << QByteArray("if not x then error( \"x\" ) end");
+    QTest::newRow("three arms, yaw by a servo")
+        << QByteArray("m = { Vector( 1, 0.5, 0, 1 ), Vector( -1, 0.5, 0, 1 ), Vector( 0, -1, 0, 1 ) }");
+    QTest::newRow("unequal arms") << QByteArray("m = { Vector( 0.7, -1, -1, 1 ), Vector( -0.7, -1, 1, 1 ),\n"
+                                                "Vector( 1, 1, 1, 1 ), Vector( -1, 1, -1, 1 ) }");
+}
+
+void TestBcflightWire::nothingIsDoubtedWithoutCause()
+{
+    QFETCH(QByteArray, text);
+    QStringList found;
+    for (const ScriptMistake &doubt : findDoubts(text))
+        found.append(doubt.sentence(QString::fromUtf8(doubt.what)));
+    QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
 }
 
 QTEST_GUILESS_MAIN(TestBcflightWire)

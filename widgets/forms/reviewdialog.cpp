@@ -25,6 +25,7 @@ namespace {
 
 constexpr int kAround = 2;  // lines that are the same, before and after a change
 constexpr int kMostLines = 300;
+constexpr std::size_t kMostDoubts = 6;
 constexpr int kTabWidth = 4;
 constexpr QSize kSize(760, 460);
 constexpr QSize kSizeWithLines(760, 600);
@@ -50,6 +51,7 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     , m_changes(board, edited)
     , m_table(new QTableView)
     , m_risk(new QLabel)
+    , m_doubts(new QLabel)
     , m_live(live)
     , m_othersText(new QLabel)
     , m_others(new QComboBox)
@@ -78,6 +80,7 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     m_risk->setText(tr("⚠ Some of these values are in the risk class. They act at once where motors run, "
                        "otherwise when they start: hold the camera, or take it off."));
 
+    m_doubts->setWordWrap(true);
     m_effect->setWordWrap(true);
     m_othersText->setObjectName(u"warning"_s);
     m_othersText->setWordWrap(true);
@@ -111,6 +114,7 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     layout->addWidget(m_table, 1);
     if (m_lines)
         layout->addWidget(m_lines, 2);
+    layout->addWidget(m_doubts);
     layout->addWidget(m_risk);
     layout->addWidget(m_effect);
     layout->addWidget(m_othersText);
@@ -168,6 +172,39 @@ void ReviewDialog::setFlies(bool flies)
                        "once when it is armed. Try them with the propellers off, or in a test stand."));
 }
 
+void ReviewDialog::setDoubtsOf(const DoubtsOf &doubtsOf)
+{
+    m_doubtsOf = doubtsOf;
+    updateButton();
+}
+
+QString ReviewDialog::doubts() const
+{
+    return m_doubts->text();
+}
+
+bool ReviewDialog::showDoubts()
+{
+    const bool isAsked = m_doubtsOf && m_changes.hasTickedText();
+    m_doubts->setVisible(isAsked);
+    const std::vector<ScriptMistake> found = isAsked ? m_doubtsOf(chosen()) : std::vector<ScriptMistake>();
+    QStringList lines;
+    for (std::size_t i = 0; i < std::min(found.size(), kMostDoubts); ++i) {
+        const QString text = found[i].sentence(tableText(found[i].what));
+        lines.append(found[i].line > 0 ? tr("Line %1: %2.").arg(QString::number(found[i].line), text)
+                                       : tr("%1.").arg(text));
+    }
+    if (found.size() > kMostDoubts)
+        lines.append(tr("and %n more", nullptr, int(found.size() - kMostDoubts)));
+    m_doubts->setText(found.empty()
+                          ? tr("Read without running it, nothing was found against the text. That does not "
+                               "prove that the board starts or flies with it.")
+                          : tr("⚠ This speaks against the text:") + u'\n' + lines.join(u'\n'));
+    m_doubts->setObjectName(found.empty() ? u"muted"_s : u"warning"_s);
+    repolish(m_doubts);
+    return !found.empty();
+}
+
 void ReviewDialog::updateButton()
 {
     const int count = m_changes.tickedCount();
@@ -184,8 +221,8 @@ void ReviewDialog::updateButton()
     m_effect->setText(effects.join(u' '));
     m_effect->setVisible(!effects.isEmpty());
     updateOthers();
-    const bool red = m_changes.hasTickedRed();
-    m_risk->setVisible(red);
+    m_risk->setVisible(m_changes.hasTickedRed());
+    const bool red = showDoubts() || m_changes.hasTickedRed();
     m_write->setDefault(!red);  // what may start motors the wrong way takes more than one key
     m_write->setObjectName(red ? u"danger"_s : u"primary"_s);
     repolish(m_write);

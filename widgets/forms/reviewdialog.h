@@ -3,10 +3,13 @@
 #pragma once
 
 #include "protocol/configuration/livevalues.h"
+#include "protocol/configuration/scriptmistake.h"
 #include "protocol/configuration/writereport.h"
 #include "widgets/models/changemodel.h"
 
 #include <QDialog>
+
+#include <functional>
 
 class QComboBox;
 class QLabel;
@@ -27,6 +30,9 @@ public:
     void setReplaced(const LiveValues &replaced);
     /// Nobody holds what flies: then what is said of dangerous values is about a drone.
     void setFlies(bool flies);
+    /// Tells what speaks against the texts of a configuration; asked for those that are written.
+    using DoubtsOf = std::function<std::vector<ScriptMistake>(const Configuration &)>;
+    void setDoubtsOf(const DoubtsOf &doubtsOf);
     /// The configuration with the ticked changes.
     [[nodiscard]] Configuration chosen() const { return m_changes.ticked(); }
     /// What becomes of values in use that are not among them.
@@ -35,17 +41,23 @@ public:
     [[nodiscard]] QTableView *table() const { return m_table; }
     /// The lines of texts that change; null without any.
     [[nodiscard]] QPlainTextEdit *lines() const { return m_lines; }
+    /// What is said of the texts that are written.
+    [[nodiscard]] QString doubts() const;
     [[nodiscard]] QPushButton *writeButton() const { return m_write; }
 
 private:
     void updateButton();
     void updateOthers();
+    /// Returns whether there are doubts.
+    bool showDoubts();
     void makeLines(const Configuration &board, const Configuration &edited);
 
     ChangeModel m_changes;
     QTableView *m_table;
     QPlainTextEdit *m_lines = nullptr;
     QLabel *m_risk;
+    DoubtsOf m_doubtsOf;
+    QLabel *m_doubts;
     LiveValues m_live;
     bool m_areReplaced = false;
     QLabel *m_othersText;

@@ -130,6 +130,12 @@ bool ChangeModel::hasTickedRed() const
     });
 }
 
+bool ChangeModel::hasTickedText() const
+{
+    return std::any_of(m_rows.begin(), m_rows.end(),
+                       [](const Row &row) { return row.ticked && row.data.spec && row.data.spec->isText(); });
+}
+
 bool ChangeModel::hasTicked(WriteEffect effect) const
 {
     return std::any_of(m_rows.begin(), m_rows.end(), [&](const Row &row) {

@@ -25,6 +25,8 @@ public:
     [[nodiscard]] bool hasTickedRed() const;
     /// Whether writing what is ticked does this.
     [[nodiscard]] bool hasTicked(WriteEffect effect) const;
+    /// Whether a text is among what is ticked.
+    [[nodiscard]] bool hasTickedText() const;
     /// The board's configuration with the ticked changes only.
     [[nodiscard]] Configuration ticked() const;
 
