@@ -9,6 +9,12 @@
 #include <cmath>
 #include <utility>
 
+namespace {
+
+constexpr qint64 kOneStepMs = 1000;
+
+}  // namespace
+
 LiveModel::LiveModel(DeviceClient &client, ConfigurationModel &configuration, QObject *parent)
     : QObject(parent)
     , m_client(client)
@@ -65,6 +71,9 @@ void LiveModel::reset()
         m_other.clear();
         m_otherKnown = false;
         m_doubted.clear();
+        m_steps.clear();
+        m_done = 0;
+        m_stepAge.invalidate();
         m_slot = Slot::A;
     }
     m_set = m_configuration.isEmpty() ? nullptr : std::as_const(m_configuration).board().parameterSet();
@@ -193,7 +202,7 @@ void LiveModel::setValue(int parameter, double raw)
     const double wanted = std::clamp(spec(parameter).nearest(raw), low, high);
     if (!spec(parameter).accepts(wanted) && !sameValue(stored(parameter), wanted))
         return;
-    put(parameter, wanted);
+    choose(parameter, wanted);
     flush();
 }
 
@@ -264,6 +273,64 @@ void LiveModel::put(int parameter, double raw)
     recount();
 }
 
+void LiveModel::choose(int parameter, double raw)
+{
+    if (const auto now = value(parameter); now && !sameValue(*now, raw)) {
+        m_steps.resize(m_done);
+        if (m_steps.empty() || !m_stepAge.isValid() || m_stepAge.hasExpired(kOneStepMs))
+            m_steps.emplace_back();
+        Step &step = m_steps.back();
+        if (!step.before.contains(parameter))
+            step.before.insert(parameter, *now);
+        step.after.insert(parameter, raw);
+        if (sameValue(step.before.value(parameter), raw)) {  // there and back
+            step.before.remove(parameter);
+            step.after.remove(parameter);
+        }
+        m_stepAge.start();
+        if (step.before.isEmpty()) {
+            m_steps.pop_back();
+            m_stepAge.invalidate();
+        }
+        m_done = m_steps.size();
+    }
+    put(parameter, raw);
+}
+
+// What somebody else has changed since is not undone here.
+std::optional<std::size_t> LiveModel::nextStep(bool again) const
+{
+    const auto isInUse = [this](const Values &values) {
+        for (auto it = values.begin(); it != values.end(); ++it) {
+            if (!sameValue(value(it.key()), it.value()))
+                return false;
+        }
+        return true;
+    };
+    for (std::size_t i = again ? m_done : 0; again && i < m_steps.size(); ++i) {
+        if (isInUse(m_steps[i].before))
+            return i;
+    }
+    for (std::size_t i = again ? 0 : m_done; i > 0; --i) {
+        if (isInUse(m_steps[i - 1].after))
+            return i - 1;
+    }
+    return {};
+}
+
+void LiveModel::step(bool again)
+{
+    const auto next = nextStep(again);
+    if (!next || !m_client.isConnected() || isHeld())
+        return;
+    m_stepAge.invalidate();
+    m_done = again ? *next + 1 : *next;
+    const Values wanted = again ? m_steps[*next].after : m_steps[*next].before;
+    for (auto it = wanted.begin(); it != wanted.end(); ++it)
+        put(it.key(), it.value());
+    flush();
+}
+
 void LiveModel::flush()
 {
     if (m_writing || m_wanted.isEmpty())
@@ -300,6 +367,7 @@ void LiveModel::flush()
                          if (const auto wanted = value(parameter))
                              m_doubted.insert(parameter, *wanted);
                      }
+                     m_done = m_steps.size();  // what was to be undone is in use again
                      m_wasSilent |= done.error().code == ErrorCode::Timeout;
                      emit changeCountChanged(m_changeCount);
                      emit failed(done.error());
@@ -336,7 +404,7 @@ void LiveModel::revert()
         // Also values that look unchanged: a value still in flight must not win.
         if (m_writing && *value(parameter) == *kept)
             m_wanted.insert(parameter, *kept);
-        put(parameter, *kept);
+        choose(parameter, *kept);
     }
     flush();
 }
@@ -352,7 +420,7 @@ void LiveModel::useSlot(Slot slot)
     const Values wanted = std::exchange(m_other, present);
     m_slot = slot;
     for (auto it = wanted.begin(); it != wanted.end(); ++it)
-        put(it.key(), it.value());
+        choose(it.key(), it.value());
     flush();
     emit slotChanged();
 }

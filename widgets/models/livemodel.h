@@ -6,10 +6,13 @@
 #include "protocol/configuration/livevalues.h"
 #include "widgets/models/configurationmodel.h"
 
+#include <QElapsedTimer>
 #include <QHash>
 #include <QSet>
 
 #include <functional>
+#include <optional>
+#include <vector>
 
 /// Parameters that the board changes at once, in its volatile memory: what is in use now, what is stored, and
 /// two sets to compare. Values are raw parameter values; writes go out one after the other, the newest value
@@ -63,6 +66,13 @@ public:
     [[nodiscard]] LiveValues ownUnsaved() const;
     /// Puts the stored values to tune with into use, ahead of pending changes.
     void revert();
+    /// The operator has made a step whose values are in use still, or has undone one. Changes that follow
+    /// each other within a second are one step.
+    [[nodiscard]] bool canUndo() const { return nextStep(false).has_value(); }
+    [[nodiscard]] bool canRedo() const { return nextStep(true).has_value(); }
+    /// Puts into use what was so before that step, or again what was undone: a change like any other.
+    void undo() { step(false); }
+    void redo() { step(true); }
 
     [[nodiscard]] Slot slot() const { return m_slot; }
     /// Keeps the present values in the present slot and puts the other slot's values into use.
@@ -93,6 +103,10 @@ private:
     using Values = QHash<int, double>;  // parameter id -> raw
     void reset();
     void put(int parameter, double raw);
+    /// The same, as a step of the operator.
+    void choose(int parameter, double raw);
+    void step(bool again);
+    [[nodiscard]] std::optional<std::size_t> nextStep(bool again) const;
     void demand(const QHash<int, double> &values);
     void flush();
     void recount();
@@ -112,6 +126,14 @@ private:
     QSet<int> m_back;  // those of them that were in use before
     QSet<int> m_own;  // put into use here, and found so since
     QList<int> m_sent;  // since everything was settled last
+    struct Step
+    {
+        Values before;
+        Values after;
+    };
+    std::vector<Step> m_steps;
+    std::size_t m_done = 0;  // of them; the others are undone
+    QElapsedTimer m_stepAge;  // of the last one, while it goes on
     Values m_other;  // of the slot not in use
     Slot m_slot = Slot::A;
     bool m_otherKnown = false;
