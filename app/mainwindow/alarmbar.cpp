@@ -18,18 +18,12 @@
 
 using namespace Qt::StringLiterals;
 
-namespace {
-
-constexpr qint64 kTooSoonMs = 600;
-
-}  // namespace
-
-AlarmBar::AlarmBar(Alarms &alarms, QWidget *area, int smallest, std::function<QPoint()> belowHead)
+AlarmBar::AlarmBar(Alarms &alarms, QWidget *area, int smallest, FreePlace freePlace)
     : QFrame(area->parentWidget())
     , m_alarms(alarms)
     , m_area(area)
     , m_smallest(smallest)
-    , m_belowHead(std::move(belowHead))
+    , m_freePlace(std::move(freePlace))
     , m_icon(new QLabel)
     , m_text(new QLabel)
     , m_more(new QLabel)
@@ -55,22 +49,11 @@ AlarmBar::AlarmBar(Alarms &alarms, QWidget *area, int smallest, std::function<QP
         button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard where it was
         row->addWidget(button, 0, Qt::AlignVCenter);
     }
-    connect(m_remedy, &QPushButton::clicked, this, [this] {
-        if (!isTooSoon())
-            m_alarms.motorsOff();
-    });
-    connect(m_acknowledge, &QPushButton::clicked, this, [this] {
-        if (!isTooSoon())
-            m_alarms.acknowledge(m_number);
-    });
+    connect(m_remedy, &QPushButton::clicked, &alarms, &Alarms::motorsOff);
+    connect(m_acknowledge, &QPushButton::clicked, this, [this] { m_alarms.acknowledge(m_number); });
     connect(&alarms, &Alarms::changed, this, &AlarmBar::refresh);
     area->installEventFilter(this);
     refresh();
-}
-
-bool AlarmBar::isTooSoon() const
-{
-    return m_shownAt.isValid() && m_shownAt.elapsed() < kTooSoonMs;
 }
 
 QString AlarmBar::text() const
@@ -80,9 +63,11 @@ QString AlarmBar::text() const
 
 bool AlarmBar::eventFilter(QObject *watched, QEvent *event)
 {
-    if (watched == m_area && (event->type() == QEvent::Resize || event->type() == QEvent::Move))
+    if (watched == m_area && (event->type() == QEvent::Resize || event->type() == QEvent::Move)) {
+        m_start.reset();
         place();
-    else if (watched == m_area && event->type() == QEvent::Leave)
+    }
+    if (watched == m_area && event->type() == QEvent::Leave)
         makeRoom();
     return QFrame::eventFilter(watched, event);
 }
@@ -92,7 +77,9 @@ void AlarmBar::place()
     if (isHidden())
         return;
     const bool hasRoom = m_area->layout()->contentsMargins().top() > 0;
-    const QPoint start = hasRoom ? QPoint() : m_belowHead();
+    if (!hasRoom && !m_start)
+        m_start = m_freePlace([this](int width) { return heightFor(width); });
+    const QPoint start = hasRoom ? QPoint() : *m_start;
     const int width = m_area->width() - start.x();
     setGeometry(QRect(m_area->pos() + start, QSize(width, heightFor(width))));
     raise();
@@ -135,6 +122,7 @@ void AlarmBar::leaveEvent(QEvent *event)
 void AlarmBar::hideEvent(QHideEvent *event)
 {
     QFrame::hideEvent(event);
+    m_start.reset();
     if (!event->spontaneous())
         shield(geometry());
 }
@@ -157,7 +145,8 @@ void AlarmBar::refresh()
     m_icon->setAccessibleName(isSevere ? tr("Severe") : tr("Warning"));
     const int times = m_alarms.timesOf(first.number);
     const QString again = times > 1 ? u' ' + tr("(%1 times)").arg(times) : QString();
-    text.what = first.isOver ? tr("Over: %1").arg(text.what) : text.what;
+    if (first.isOver)
+        text.what = (first.wasSeenToEnd ? tr("Over: %1") : tr("Not watched any more: %1")).arg(text.what);
     m_text->setText(u"<b>%1</b>%2 %3 %4"_s.arg(text.what.toHtmlEscaped(), again.toHtmlEscaped(),
                                                text.meaning.toHtmlEscaped(), text.cure.toHtmlEscaped()));
     setAccessibleDescription(text.oneLine());
@@ -168,8 +157,10 @@ void AlarmBar::refresh()
     for (QWidget *part :
          std::initializer_list<QWidget *>{this, m_icon, m_text, m_more, m_remedy, m_acknowledge})
         repolish(part);
-    if (std::exchange(m_number, first.number) != first.number)
-        m_shownAt.restart();
+    const bool isAnother = std::exchange(m_number, first.number) != first.number;
     show();
     place();
+    // A click that was meant for what lay there before, or for the alarm before, must not do anything.
+    if (isAnother)
+        new ClickShield(*this);
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QElapsedTimer>
 #include <QFrame>
 
 #include <functional>
+#include <optional>
 
 class Alarms;
 class QLabel;
@@ -20,11 +20,12 @@ class AlarmBar final : public QFrame
 {
     Q_OBJECT
 public:
+    /// Where in the area the bar lies while there is no room: beside the navigation, where it hides neither
+    /// what disarms or stops on the page that is shown nor its headings.
+    using FreePlace = std::function<QPoint(const std::function<int(int width)> &heightFor)>;
     /// @param area its layout makes room for the bar at its upper edge
     /// @param smallest the height that is left to it at least
-    /// @param belowHead where in the area the bar lies while there is no room: beside the navigation, beneath
-    /// what disarms or stops on the page that is shown
-    AlarmBar(Alarms &alarms, QWidget *area, int smallest, std::function<QPoint()> belowHead);
+    AlarmBar(Alarms &alarms, QWidget *area, int smallest, FreePlace freePlace);
 
     /// Text of the alarm that is shown; empty without one.
     [[nodiscard]] QString text() const;
@@ -42,18 +43,16 @@ private:
     void makeRoom();
     [[nodiscard]] int heightFor(int width) const;
     void shield(const QRect &place);
-    /// A click that was meant for what lay there before must not do anything.
-    [[nodiscard]] bool isTooSoon() const;
 
     Alarms &m_alarms;
     QWidget *m_area;
     int m_smallest;
-    std::function<QPoint()> m_belowHead;
+    FreePlace m_freePlace;
+    std::optional<QPoint> m_start;  // while it lies there
     QLabel *m_icon;
     QLabel *m_text;
     QLabel *m_more;
     QPushButton *m_remedy;
     QPushButton *m_acknowledge;
     int m_number = 0;
-    QElapsedTimer m_shownAt;
 };

@@ -30,6 +30,7 @@ namespace {
 constexpr int kArmed = 10000;
 constexpr int kUsed = 1000;
 constexpr int kMotors = 100;
+constexpr int kHeading = 3;
 constexpr int kActing = 1;
 constexpr auto kDragged = std::chrono::milliseconds(200);
 
@@ -39,6 +40,8 @@ int weightOf(const QWidget &widget)
         return kArmed;
     if (qobject_cast<const MotorDiagram *>(&widget))
         return kMotors;
+    if (const auto *label = qobject_cast<const QLabel *>(&widget))
+        return label->font().weight() >= QFont::DemiBold && !label->text().isEmpty() ? kHeading : 0;
     const bool acts = qobject_cast<const QAbstractButton *>(&widget)
         || qobject_cast<const QAbstractSlider *>(&widget) || qobject_cast<const ControlPad *>(&widget);
     return acts && widget.isEnabled() ? kActing : 0;
@@ -81,13 +84,15 @@ void BannerArea::giveWayTo(QWidget &cover)
     cover.installEventFilter(this);
 }
 
-// How far down from its upper edge this area is covered.
-int BannerArea::covered() const
+// How far from that edge this area is covered.
+int BannerArea::covered(bool lower) const
 {
     if (!m_cover || m_cover->isHidden())
         return 0;
-    const int end = mapFromGlobal(m_cover->mapToGlobal(QPoint(0, m_cover->height()))).y();
-    return std::max(0, end);
+    const int begin = mapFromGlobal(m_cover->mapToGlobal(QPoint())).y();
+    if (lower != (begin > height() / 2))
+        return 0;
+    return std::max(0, lower ? height() - begin : begin + m_cover->height());
 }
 
 // Where the row ends that holds the title of the page.
@@ -98,9 +103,11 @@ int BannerArea::headEnd() const
     return title ? title->mapTo(this, QPoint(0, title->height())).y() : 0;
 }
 
-QPoint BannerArea::belowHead(const QWidget &ancestor) const
+QPoint BannerArea::freePlace(const QWidget &ancestor, const std::function<int(int width)> &heightFor) const
 {
-    return mapTo(&ancestor, QPoint(0, headEnd() + Metric::kGap));
+    const QRect upper(0, headEnd() + Metric::kGap, width(), heightFor(width()));
+    const QRect lower(0, height() - upper.height(), upper.width(), upper.height());
+    return mapTo(&ancestor, (hidden(lower) < hidden(upper) ? lower : upper).topLeft());
 }
 
 bool BannerArea::eventFilter(QObject *watched, QEvent *event)
@@ -198,7 +205,7 @@ int BannerArea::heightOf(const QWidget &widget) const
 // Each behind the one before it, and never nearer to the edge than it was.
 void BannerArea::place()
 {
-    int next = Metric::kGap + (m_lower ? 0 : std::max(covered(), headEnd()));
+    int next = Metric::kGap + std::max(covered(m_lower), m_lower ? 0 : headEnd());
     for (Banner &banner : m_shown) {
         banner.offset = std::max(banner.offset, next);
         const int height = heightOf(*banner.widget);

@@ -11,7 +11,8 @@
 class QStackedWidget;
 
 /// The room of the page, with messages and questions floating over its upper edge, or over its lower one
-/// where less is hidden there: what acts, motors, what tells whether a drone is armed, pointer and keyboard.
+/// where less is hidden there: headings, what acts, motors, what tells whether a drone is armed, pointer and
+/// keyboard.
 /// Where motors would be hidden at either, the page gets lower for them, unless it cannot. They go out of
 /// the keyboard's way later; one that closes moves none of the others. Ctrl+F6 goes to the newest and back,
 /// Esc closes it.
@@ -25,11 +26,12 @@ public:
 
     /// Lets this float; whoever has it shows and hides it. @param close what Esc does; nothing without it
     void add(QWidget &banner, std::function<void()> close = {});
-    /// What lies over the upper edge while it is shown: banners come beneath it.
+    /// What lies over an edge while it is shown: banners keep off it.
     void giveWayTo(QWidget &cover);
-    /// Where, seen from an ancestor, the row ends that holds the title of the page and the controls beside
-    /// it.
-    [[nodiscard]] QPoint belowHead(const QWidget &ancestor) const;
+    /// Where, seen from an ancestor, something as wide as this area hides least: beneath the row that holds
+    /// the title of the page and the controls beside it, or at the lower edge.
+    [[nodiscard]] QPoint freePlace(const QWidget &ancestor,
+                                   const std::function<int(int width)> &heightFor) const;
 
     bool eventFilter(QObject *watched, QEvent *event) override;
 
@@ -62,7 +64,7 @@ private:
     /// What would be hidden there, by weight; 0: nothing of importance.
     [[nodiscard]] int hidden(const QRect &room) const;
     [[nodiscard]] bool isPointerIn(const QRect &room) const;
-    [[nodiscard]] int covered() const;
+    [[nodiscard]] int covered(bool lower) const;
     [[nodiscard]] int headEnd() const;
     /// A click that was meant for a banner which has just gone or moved reaches nothing.
     void shield(const QRect &place);

@@ -6,7 +6,6 @@
 #include "app/mainwindow/bannerarea.h"
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/contentarea.h"
-#include "app/mainwindow/editguide.h"
 #include "app/mainwindow/focusguard.h"
 #include "app/mainwindow/footbar.h"
 #include "app/mainwindow/languageswitch.h"
@@ -31,7 +30,6 @@
 #include <QCloseEvent>
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QLineEdit>
 #include <QLoggingCategory>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -109,7 +107,9 @@ void MainWindow::layoutFrame()
     layout->addWidget(m_status);
     setCentralWidget(central);
     m_banners->giveWayTo(*new AlarmBar(m_workspace->alarms(), m_panels, smallest.height(),
-                                       [this] { return m_banners->belowHead(*m_panels); }));
+                                       [this](const std::function<int(int width)> &heightFor) {
+                                           return m_banners->freePlace(*m_panels, heightFor);
+                                       }));
     m_focus = new FocusGuard(*this, *m_stack, *m_panels);
 }
 
@@ -322,32 +322,6 @@ void MainWindow::updateMarks()
         if (it.key() != u"parameters"_s && it.key() != u"profiles"_s)
             m_navigation->setMarked(it.key(), it.value()->hasChanges());
     }
-}
-
-void MainWindow::review()
-{
-    ConfigurationModel &model = m_workspace->configuration();
-    if (m_review || model.isEmpty() || !m_workspace->client().isConnected()
-        || !m_workspace->client().identity().writable)
-        return;
-    // A value still being typed belongs to the edits as well; one that is refused would be missed.
-    if (QWidget *focus = QApplication::focusWidget()) {
-        focus->clearFocus();
-        focus->setFocus();
-    }
-    if (m_guide->showRefused() || model.changeCount() == 0)
-        return;
-    if (m_guide->showContradiction())
-        return;
-    m_review = new ReviewDialog(model.board(), model.edited(), m_workspace->storedWithAWrite(), this);
-    m_review->setReplaced(m_workspace->replacedByAWrite());
-    m_review->setFlies(m_workspace->notifications().flies());
-    m_review->setAttribute(Qt::WA_DeleteOnClose);
-    // What it compares with is old then.
-    connect(&model, &ConfigurationModel::boardReset, m_review, &QDialog::reject);
-    connect(m_review, &QDialog::accepted, this,
-            [this] { m_workspace->write(m_review->chosen(), m_review->others()); });
-    openPanel(*m_review);
 }
 
 void MainWindow::showHelp()

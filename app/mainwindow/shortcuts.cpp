@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The keys of the main window, and where they and names lead.
+// The keys of the main window, and where they and names lead: to reviews, pages and actions.
 #include "app/mainwindow/commandpalette.h"
 #include "app/mainwindow/editguide.h"
 #include "app/mainwindow/mainwindow.h"
@@ -9,8 +9,10 @@
 #include "app/mainwindow/palettesource.h"
 #include "app/pages/board/actionspage.h"
 #include "app/workspace/question.h"
+#include "protocol/device/flight.h"
 #include "widgets/forms/panel.h"
 
+#include <QApplication>
 #include <QShortcut>
 
 using namespace Qt::StringLiterals;
@@ -30,7 +32,16 @@ void MainWindow::addShortcuts()
     for (int i = 0; i < kNumberedPages; ++i)
         on(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)),
            [this, i] { enterPage(m_navigation->pageOfNumber(i + 1)); });
-    on(QKeySequence::Undo, [this] { m_workspace->edits().undo(); });
+    // Where values are set live, what was set there last.
+    const auto stepBack = [this](bool again) {
+        LiveModel &live = m_workspace->live();
+        const bool isLive = m_navigation->currentPage() == u"tuning"_s;
+        if (isLive && (again ? live.canRedo() : live.canUndo()))
+            again ? live.redo() : live.undo();
+        else
+            again ? m_workspace->edits().redo() : m_workspace->edits().undo();
+    };
+    on(QKeySequence::Undo, [stepBack] { stepBack(false); });
     // As the platform has it, and as others do; one key twice would do nothing.
     QList<QKeySequence> redo = QKeySequence::keyBindings(QKeySequence::Redo);
     for (const QKeySequence &keys :
@@ -39,7 +50,7 @@ void MainWindow::addShortcuts()
             redo.append(keys);
     }
     for (const QKeySequence &keys : std::as_const(redo))
-        on(keys, [this] { m_workspace->edits().redo(); });
+        on(keys, [stepBack] { stepBack(true); });
     m_guide = new EditGuide(
         *m_workspace, [this](const QString &key) { return showPage(key), page(key); }, m_content);
     on(QKeySequence(Qt::CTRL | Qt::Key_S), [this] {
@@ -61,6 +72,36 @@ void MainWindow::showAction(const QString &key)
 {
     if (enterPage(u"actions"_s))
         static_cast<ActionsPage *>(page(u"actions"_s))->showAction(key);
+}
+
+void MainWindow::review()
+{
+    ConfigurationModel &model = m_workspace->configuration();
+    if (m_review || model.isEmpty() || !m_workspace->client().isConnected()
+        || !m_workspace->client().identity().writable)
+        return;
+    // A value still being typed belongs to the edits as well; one that is refused would be missed.
+    if (QWidget *focus = QApplication::focusWidget()) {
+        focus->clearFocus();
+        focus->setFocus();
+    }
+    if (m_guide->showRefused() || model.changeCount() == 0)
+        return;
+    if (m_guide->showContradiction())
+        return;
+    m_review = new ReviewDialog(model.board(), model.edited(), m_workspace->storedWithAWrite(), this);
+    m_review->setReplaced(m_workspace->replacedByAWrite());
+    m_review->setFlies(m_workspace->notifications().flies());
+    m_review->setDoubtsOf([this](const Configuration &wanted) {
+        const Device *device = m_workspace->client().device();
+        return device && device->flight() ? device->flight()->doubts(wanted) : std::vector<ScriptMistake>();
+    });
+    m_review->setAttribute(Qt::WA_DeleteOnClose);
+    // What it compares with is old then.
+    connect(&model, &ConfigurationModel::boardReset, m_review, &QDialog::reject);
+    connect(m_review, &QDialog::accepted, this,
+            [this] { m_workspace->write(m_review->chosen(), m_review->others()); });
+    openPanel(*m_review);
 }
 
 void MainWindow::showPalette()

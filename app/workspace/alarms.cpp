@@ -77,7 +77,8 @@ void Alarms::onAlarm(const AlarmReport &report)
     if (known != m_reports.end()) {
         *known = report;
     } else {
-        if (report.number <= m_acknowledged)
+        // What is not on the list any more has gone with its link, which ended it.
+        if (report.number <= m_acknowledged || report.isOver)
             return;
         // One card for one cause, however often it comes back.
         int times = 1;

@@ -20,6 +20,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QCursor>
+#include <QLabel>
 #include <QPushButton>
 #include <QTest>
 
@@ -38,6 +39,9 @@ private slots:
     void changeThatOscillatesGoesBackOnScreen();
     void warningGoesWithItsCause();
     void warningGoesWithTheLink();
+    void deadLinkIsNotTheEndOfAnAlarm();
+    void headingsStayInSight_data();
+    void headingsStayInSight();
     void clickMeantForAnotherDoesNothing();
     void nothingMovesBeneathTheBar();
     void headOfThePageStaysInReach();
@@ -201,6 +205,72 @@ void TestAlarms::warningGoesWithTheLink()
     QVERIFY(bar()->isHidden());
 }
 
+// It has not ended, the link has.
+void TestAlarms::deadLinkIsNotTheEndOfAnAlarm()
+{
+    QVERIFY(m_rig->open(u"sim:simplebgc?seed=57"_s));
+    AlarmReport report;
+    report.number = 1;
+    report.alarm.kind = AlarmKind::Stale;
+    emit m_rig->client().alarmChanged(report);
+    QVERIFY(bar()->isVisible());
+    m_rig->workspace().changeWorld(u"replug=1"_s);
+    m_rig->workspace().changeWorld(u"unplug=0"_s);
+    QTRY_VERIFY(m_rig->client().state() == DeviceClient::State::Reconnecting);
+    QVERIFY(bar()->isHidden());
+    report.isOver = true;
+    emit m_rig->client().alarmChanged(report);
+    QVERIFY2(bar()->isHidden(), qPrintable(bar()->text()));
+    QVERIFY(m_rig->workspace().alarms().all().isEmpty());
+}
+
+void TestAlarms::headingsStayInSight_data()
+{
+    QTest::addColumn<QString>("page");
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("dashboard") << u"dashboard"_s << QSize(1280, 800);
+    for (const char *page : {"guide", "profiles"}) {
+        QTest::addRow("%s", page) << QString::fromLatin1(page) << QSize(1280, 800);
+        QTest::addRow("%s, small", page) << QString::fromLatin1(page) << QSize(1024, 640);
+    }
+}
+
+// Neither an alarm nor a message lies over them, wherever the pointer is.
+void TestAlarms::headingsStayInSight()
+{
+    QFETCH(QString, page);
+    QFETCH(QSize, size);
+    m_rig->window().resize(size);
+    QVERIFY(m_rig->open(u"sim:simplebgc?seed=58"_s));
+    QVERIFY(m_rig->window().showPage(page));
+    QVERIFY(m_rig->isSettled());
+    const QWidget *shown = m_rig->window().page(page);
+    QCursor::setPos(shown->mapToGlobal(shown->rect().center()));
+    const auto hiddenBy = [&](const QWidget &banner) {
+        const auto place
+            = [](const QWidget &widget) { return QRect(widget.mapToGlobal(QPoint()), widget.size()); };
+        QStringList hidden;
+        for (const QLabel *label : shown->findChildren<QLabel *>()) {
+            const bool isHeading = label->objectName() == u"section"_s || label->objectName() == u"title"_s;
+            if (isHeading && !label->visibleRegion().isEmpty() && place(banner).intersects(place(*label)))
+                hidden.append(label->text());
+        }
+        return hidden.join(u", "_s);
+    };
+    m_rig->workspace().notifications().notify(u"Done."_s);
+    QVERIFY(m_rig->isSettled());
+    const MessageBar &messages = *m_rig->window().messageBar();
+    QVERIFY(messages.isVisible());
+    QCOMPARE(hiddenBy(messages), QString());
+    AlarmReport report;
+    report.number = 1;
+    report.alarm.axis = Axis::Roll;
+    emit m_rig->client().alarmChanged(report);
+    QVERIFY(m_rig->isSettled());
+    QVERIFY(bar()->isVisible());
+    QCOMPARE(hiddenBy(*bar()), QString());
+}
+
 void TestAlarms::clickMeantForAnotherDoesNothing()
 {
     QVERIFY(m_rig->open(u"sim:simplebgc?seed=54"_s));
@@ -209,10 +279,15 @@ void TestAlarms::clickMeantForAnotherDoesNothing()
     report.alarm.kind = AlarmKind::Saturation;
     report.alarm.axis = Axis::Yaw;
     emit m_rig->client().alarmChanged(report);
+    QVERIFY(bar()->isVisible() && m_rig->isSettled());
+    const auto click = [this] {
+        const QPushButton *button = bar()->acknowledgeButton();
+        QTest::mouseClick(m_rig->window().windowHandle(), Qt::LeftButton, {},
+                          button->mapTo(&m_rig->window(), button->rect().center()));
+    };
+    click();
     QVERIFY(bar()->isVisible());
-    QTest::mouseClick(bar()->acknowledgeButton(), Qt::LeftButton);
-    QVERIFY(bar()->isVisible());
-    QTRY_VERIFY((QTest::mouseClick(bar()->acknowledgeButton(), Qt::LeftButton), bar()->isHidden()));
+    QTRY_VERIFY((click(), bar()->isHidden()));
 }
 
 // Neither when the pointer comes to it, nor when it goes; and a second click in a hurry reaches nothing.
@@ -277,8 +352,9 @@ void TestAlarms::headOfThePageStaysInReach()
 void TestAlarms::whatItPushesAwayTakesNoClicks()
 {
     QVERIFY(m_rig->open(u"sim:simplebgc?seed=50"_s));
-    auto *settings = m_rig->page<SettingsPage>();
-    QCursor::setPos(settings->mapToGlobal(settings->rect().center()));
+    QVERIFY(m_rig->window().showPage(u"help"_s));  // with nothing of importance at the upper edge
+    const QWidget *page = m_rig->window().page(u"help"_s);
+    QCursor::setPos(page->mapToGlobal(page->rect().center()));
     m_rig->workspace().notifications().ask({u"Which?"_s, {{u"This"_s, [] {}}}});
     QVERIFY(m_rig->isSettled());
     const OfferBar *offers = m_rig->window().offerBar();
@@ -371,6 +447,10 @@ void TestAlarms::motionStaysInSight()
     QCOMPARE(bar()->isVisible(), stays);
     if (!stays)
         return;
+    // Nobody has seen it end.
+    QVERIFY2(bar()->text().contains(u"Not watched any more: "_s), qPrintable(bar()->text()));
+    report.wasSeenToEnd = true;
+    emit m_rig->client().alarmChanged(report);
     QVERIFY2(bar()->text().contains(u"Over: "_s), qPrintable(bar()->text()));
     m_rig->workspace().alarms().acknowledge(1);
     QVERIFY(!bar()->isVisible());

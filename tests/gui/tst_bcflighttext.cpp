@@ -41,6 +41,7 @@ private slots:
     void onlyWhatDiffersIsReplaced();
     void everyLanguageHasItsColours();
     void refusedStoreLeadsToTheLine();
+    void doubtsAreReviewed();
     void gainsAreShownAsInTheText();
     void gainsAndTextAreWrittenInOneGo();
 
@@ -270,6 +271,33 @@ void TestBcflightText::refusedStoreLeadsToTheLine()
 }
 
 // Errata 7.2: the text has 90 where 0.00144 is in use.
+void TestBcflightText::doubtsAreReviewed()
+{
+    const auto reviewed = [this](const QByteArray &before, const QByteArray &after) {
+        QByteArray text = held();
+        QTest::qVerify(text.contains(before), "contains", before, __FILE__, __LINE__);
+        m_rig->workspace().edits().editData({0, bcflight::ConfigurationText}, text.replace(before, after));
+        window().review();
+        return window().reviewDialog();
+    };
+    ReviewDialog *review = reviewed("rate_speed = 300", "rate_speed = 250");
+    QVERIFY(review);
+    QVERIFY2(review->doubts().contains(u"does not prove"_s), qPrintable(review->doubts()));
+    QVERIFY(says(review, review->doubts()));
+    QCOMPARE(review->writeButton()->objectName(), u"primary"_s);
+    review->reject();
+    QTRY_VERIFY(!window().reviewDialog());
+    review = reviewed("Vector( 1.0, -1.0, -1.0, 1.0 )", "Vector( -1.0, -1.0, -1.0, 1.0 )");
+    QVERIFY(review);
+    QVERIFY2(review->doubts().contains(u"roll add up to -2"_s), qPrintable(review->doubts()));
+    QVERIFY(says(review, review->doubts()));
+    QCOMPARE(review->writeButton()->objectName(), u"danger"_s);
+    // Not ticked, it is not written.
+    const QModelIndex text = review->table()->model()->index(0, 0);
+    QVERIFY(review->table()->model()->setData(text, Qt::Unchecked, Qt::CheckStateRole));
+    QVERIFY(!says(review, review->doubts()));
+}
+
 void TestBcflightText::gainsAreShownAsInTheText()
 {
     auto *parameters = m_rig->page<ParametersPage>();

@@ -43,6 +43,8 @@ private slots:
     void nothingMovesForCountsAndProfiles();
     void nothingMovesUnderTheSlider();
     void onlyOwnLiveValuesAreInUseAgain();
+    void liveValuesAreUndone_data();
+    void liveValuesAreUndone();
     void undoLeadsToTheField();
     void contradictionIsShownAndNotWritten();
     void whatIsNotStoredAnywhereIsNotUnstored();
@@ -232,6 +234,69 @@ void TestEditing::onlyOwnLiveValuesAreInUseAgain()
     QVERIFY2(told.contains(u"pid.pitch.p="_s) && !told.contains(u"pid.yaw.p="_s), qPrintable(told));
     // Putting back is no live change of the operator.
     QCOMPARE(rig.client().device()->live()->lastChange()->until, change->until);
+}
+
+void TestEditing::liveValuesAreUndone_data()
+{
+    QTest::addColumn<QString>("family");
+    for (const Family &family : allFamilies()) {
+        if (!family.links.isEmpty())
+            QTest::newRow(family.key.toUtf8().constData()) << family.key;
+    }
+}
+
+// Ctrl+Z on the page where they are set; elsewhere it is about edits.
+void TestEditing::liveValuesAreUndone()
+{
+    QFETCH(QString, family);
+    WindowRig rig;
+    QVERIFY(rig.open(u"sim:"_s + family));
+    LiveModel &live = rig.workspace().live();
+    QVERIFY(rig.page<TuningPage>());
+    const int gain = rig.spec(u"pid.roll.p"_s).id;
+    const int other = rig.spec(u"pid.pitch.p"_s).id;
+    QTRY_VERIFY(live.value(gain) && live.value(other));
+    const double before = *live.value(gain);
+    const double beside = *live.value(other);
+    const auto inUse = [&rig](const QString &key) {
+        const ParameterSpec spec = rig.spec(key);
+        auto read = rig.client().submit<std::vector<AdjustableValue>>(
+            [variable = spec.adjustable](Channel &channel, Device &device) {
+                return device.live()->readAdjustables(channel, {variable});
+            });
+        const bool isThere = QTest::qWaitFor([&read] { return read.isFinished(); }, kPatience);
+        return isThere && read.result() ? spec.rawOf(read.result()->front().value) : std::nan("");
+    };
+    // Changes that follow each other are one step.
+    for (const double part : {1.1, 1.2, 1.3})
+        live.setValue(gain, before * part);
+    const double after = *live.value(gain);
+    QVERIFY(after != before);
+    QTRY_VERIFY(live.isSettled());
+    QVERIFY(sameValue(inUse(u"pid.roll.p"_s), after));
+    QTest::keyClick(&rig.window(), Qt::Key_Z, Qt::ControlModifier);
+    QTRY_VERIFY(live.isSettled());
+    QCOMPARE(*live.value(gain), before);
+    QVERIFY(sameValue(inUse(u"pid.roll.p"_s), before));
+    QVERIFY(!live.canUndo());
+    QTest::keyClick(&rig.window(), Qt::Key_Y, Qt::ControlModifier);
+    QTRY_VERIFY(live.isSettled());
+    QVERIFY(sameValue(inUse(u"pid.roll.p"_s), after));
+    // There and back is no step, and what was found otherwise is not undone.
+    live.setValue(other, beside * 1.2);
+    live.setValue(other, beside);
+    QTRY_VERIFY(live.isSettled());
+    live.setValues({{gain, before}});
+    QTRY_VERIFY(live.isSettled());
+    QVERIFY(!live.canUndo());
+    // Elsewhere it is about edits.
+    live.setValue(other, beside * 1.2);
+    QTRY_VERIFY(live.isSettled());
+    QVERIFY(live.canUndo());
+    QVERIFY(rig.window().showPage(u"parameters"_s));
+    QTest::keyClick(&rig.window(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(rig.jobsAreDone() && live.isSettled());
+    QVERIFY(*live.value(other) != beside);
 }
 
 void TestEditing::undoLeadsToTheField()

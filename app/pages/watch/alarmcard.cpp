@@ -28,9 +28,10 @@ AlarmCard::AlarmCard(Alarms &alarms, const AlarmReport &report)
         return made;
     };
     const QString when = QLocale().toString(report.at.time(), u"HH:mm:ss"_s);
-    auto *title
-        = label((report.isOver ? tr("%1, %2, over") : tr("%1, %2")).arg(alarmName(report.alarm), when),
-                report.isOver ? "muted" : "error");
+    const QString pattern = !report.isOver ? tr("%1, %2")
+        : report.wasSeenToEnd              ? tr("%1, %2, over")
+                                           : tr("%1, %2, not watched any more");
+    auto *title = label(pattern.arg(alarmName(report.alarm), when), report.isOver ? "muted" : "error");
     auto *acknowledge = new QPushButton(tr("Acknowledge"));
     acknowledge->setAccessibleName(tr("Acknowledge: %1").arg(alarmName(report.alarm)));
     // Not at once: the card goes with it.
