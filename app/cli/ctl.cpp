@@ -29,7 +29,8 @@ struct GeneralOption
 // clang-format off
 constexpr std::array kGeneralOptions{
     GeneralOption{"link", "ADDRESS", "where the board is, see above"},
-    GeneralOption{"family", "F", "who is there; without it gimbalctl finds out who answers"},
+    GeneralOption{"family", "F", "who is there; without it gimbalctl finds out who answers (over TCP a "
+                                 "drone has to be named)"},
     GeneralOption{"json", "", "one JSON document on stdout"},
     GeneralOption{"history", "DIR", "where snapshots of boards are kept"},
     GeneralOption{"board", "NAME", "which board without a serial number it is"},

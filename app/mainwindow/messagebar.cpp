@@ -3,9 +3,9 @@
 #include "app/mainwindow/messagebar.h"
 
 #include "app/mainwindow/messagerow.h"
+#include "widgets/forms/clickshield.h"
 #include "widgets/theme/theme.h"
 
-#include <QApplication>
 #include <QCursor>
 #include <QVBoxLayout>
 
@@ -54,9 +54,7 @@ void MessageBar::add(const Message &message)
     row->show();  // a layout would do so later, and be measured before
     connect(row, &MessageRow::closed, this, [this, row] {
         // The second click in a hurry would meet the row that has come up.
-        if (m_closed.isValid() && m_closed.elapsed() < QApplication::doubleClickInterval())
-            return;
-        m_closed.start();
+        new ClickShield(*this);
         remove(row);
     });
     m_messages.push_back({message, row});

@@ -4,7 +4,6 @@
 
 #include "app/workspace/notifications.h"
 
-#include <QElapsedTimer>
 #include <QFrame>
 #include <QTimer>
 
@@ -62,6 +61,5 @@ private:
 
     QVBoxLayout *m_layout;
     std::vector<Shown> m_messages;  // the newest last
-    QElapsedTimer m_closed;  // a row, by the operator
     QTimer m_hide;
 };

@@ -5,6 +5,7 @@
 #include "app/workspace/editjournal.h"
 #include "app/workspace/linkrecorder.h"
 #include "protocol/base/linkloss.h"
+#include "protocol/client/connector.h"
 #include "protocol/client/replaycontrol.h"
 #include "protocol/device/flight.h"
 #include "protocol/transport/replay.h"
@@ -398,7 +399,22 @@ void Notifications::tellBack()
 
 void Notifications::onConnectionFailed(const Error &error)
 {
-    report(error, Concern::Link);
+    ErrorText text = describe(error);
+    const LinkAddress &address = m_client.address();
+    const bool isNobodyHere = error.code == ErrorCode::Silent || error.code == ErrorCode::SilentPeer
+        || error.code == ErrorCode::Garbage || error.code == ErrorCode::WrongProtocol;
+    const QList<Family> families = isNobodyHere ? m_client.families() : QList<Family>();
+    for (const Family &family : familiesNotAsked(families, address))
+        text.cure += u' '
+            + tr("Over this kind of link %1 is asked only if it is named: add ?family=%2 to the address.")
+                  .arg(family.name, family.key);
+    for (const Family &family : families) {
+        if (!family.livesOn(address.kind()) && !family.usualAddress.isEmpty())
+            text.cure += u' '
+                + tr("%1 is not reached this way; it is usually at %2.")
+                      .arg(family.name, family.usualAddress);
+    }
+    report(text, Concern::Link);
 }
 
 void Notifications::onLost(const Error &error)

@@ -137,15 +137,11 @@ QString recogniseProtocol(std::span<const Family> known, const QByteArray &heard
 
 namespace {
 
-// Those that may take another family's questions for commands are asked where the address names them.
-QString notAskedText(std::span<const Family> known, const LinkAddress &address)
+QString notAskedText(const QList<Family> &known, const LinkAddress &address)
 {
     QString text;
-    for (const Family &family : known) {
-        if (family.livesOn(address.kind()) && !family.mayAskAnybody(address.kind())
-            && !address.toString().contains(u"family="_s))
-            text += u"; for %1 add ?family=%2 to the address"_s.arg(family.name, family.key);
-    }
+    for (const Family &family : familiesNotAsked(known, address))
+        text += u"; for %1 add ?family=%2 to the address"_s.arg(family.name, family.key);
     return text;
 }
 
@@ -223,10 +219,21 @@ Result<FoundBoard> findBoard(Channel &channel, const Family &family, Device &dev
             ErrorCode::Garbage,
             u"%1 bytes: %2"_s.arg(seen.bytesIn).arg(QString::fromLatin1(seen.lastBytes.left(16).toHex(' '))));
     if (isNetwork)
-        return failure(ErrorCode::SilentPeer, address.toString() + notAskedText(known, address));
+        return failure(ErrorCode::SilentPeer,
+                       address.toString() + notAskedText({known.begin(), known.end()}, address));
     return failure(ErrorCode::Silent,
                    tried.isEmpty() ? address.toString()
                                    : u"%1; tried: %2"_s.arg(address.toString(), tried.join(u", "_s)));
+}
+
+QList<Family> familiesNotAsked(const QList<Family> &known, const LinkAddress &address)
+{
+    QList<Family> families = known;
+    families.removeIf([&address](const Family &family) {
+        return !family.livesOn(address.kind()) || family.mayAskAnybody(address.kind())
+            || !address.option(u"family"_s).isEmpty();
+    });
+    return families;
 }
 
 Result<QList<Family>> familiesFor(const QList<Family> &known, const LinkAddress &address,
@@ -241,8 +248,13 @@ Result<QList<Family>> familiesFor(const QList<Family> &known, const LinkAddress 
         if (family.livesOn(kind) && (named.isEmpty() || family.key == named))
             living.append(family);
     }
-    if (living.isEmpty())
-        return failure(ErrorCode::InvalidArgument, u"family %1"_s.arg(named));
+    if (living.isEmpty()) {
+        const auto meant = std::find_if(known.begin(), known.end(),
+                                        [&named](const Family &family) { return family.key == named; });
+        return failure(ErrorCode::InvalidArgument,
+                       meant == known.end() ? u"family %1"_s.arg(named)
+                                            : u"%1 is not reached that way"_s.arg(meant->name));
+    }
     if (!named.isEmpty() || living.size() == 1)
         return living;
     QList<Family> asked = living;

@@ -32,6 +32,10 @@ Result<void> awaitQuiet(Channel &channel);
 /// them.
 [[nodiscard]] QString recogniseProtocol(std::span<const Family> known, const QByteArray &heard);
 
+/// The families that may be there and are asked only where the address names them: they may take another
+/// family's questions for commands.
+[[nodiscard]] QList<Family> familiesNotAsked(const QList<Family> &known, const LinkAddress &address);
+
 /// The families that may be probed at an address, in their order. A family requested by name, or by the
 /// address (`?family=`), is the only one. Errors: InvalidArgument (no such family, it cannot be reached that
 /// way, or it is unclear which of several is meant).

@@ -8,6 +8,7 @@
 #include "protocol/telemetry/telemetryplan.h"
 #include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/clickshield.h"
 #include "widgets/forms/reviewdialog.h"
 
 #include <QClipboard>
@@ -41,6 +42,7 @@ private slots:
     void aStopEndsWithTheConnection();
     void escClosesTheNewestOnly();
     void aSecondClickClosesNothingElse();
+    void whoWasNotAskedIsTold();
     void problemsComeAlongIntoAnotherLanguage();
     void aGoodLoadSettlesABadOne();
     void copiesHoldProgramLinkAndBoard_data();
@@ -287,9 +289,42 @@ void TestMessages::aSecondClickClosesNothingElse()
 {
     told().report(problem(u"One"_s), Concern::Reading);
     told().report(problem(u"Two"_s), Concern::Saving);
-    buttons(u"Close message"_s).first()->click();
-    buttons(u"Close message"_s).first()->click();
+    QVERIFY(m_rig->isSettled());
+    QTRY_VERIFY(!window().findChild<ClickShield *>());
+    const auto click = [this](const QWidget *button) {
+        QTest::mouseClick(window().windowHandle(), Qt::LeftButton, {},
+                          button->mapTo(&window(), button->rect().center()));
+    };
+    click(buttons(u"Close message"_s).first());
     QCOMPARE(bar().text(), u"Two"_s);
+    QVERIFY(m_rig->isSettled());
+    click(buttons(u"Close message"_s).first());
+    QCOMPARE(bar().text(), u"Two"_s);
+    QTRY_VERIFY((click(buttons(u"Close message"_s).first()), !bar().isVisible()));
+}
+
+// Who is not asked there unless the address names it, and who is elsewhere.
+void TestMessages::whoWasNotAskedIsTold()
+{
+    Family shy = allFamilies().first();
+    QVERIFY(shy.livesOn(LinkAddress::Kind::Tcp));
+    shy.key = u"shy"_s;
+    shy.name = u"Shy"_s;
+    for (FamilyLink &link : shy.links)
+        link.mayAskAnybody = false;
+    Family away = shy;
+    away.key = u"away"_s;
+    away.name = u"Away"_s;
+    away.links = {{LinkAddress::Kind::Udp}};
+    away.usualAddress = u"udp://192.0.2.1:2020"_s;
+    m_rig = std::make_unique<WindowRig>(allLinks(), allFamilies() + QList<Family>{shy, away});
+    window().openLink(u"tcp://127.0.0.1:9"_s);
+    QTRY_VERIFY(bar().text().contains(u"Nothing answers"_s));
+    QVERIFY2(!bar().text().contains(u"?family="_s), qPrintable(bar().text()));
+    emit m_rig->client().connectionFailed({ErrorCode::SilentPeer, {}, 0});
+    QVERIFY2(bar().text().contains(u"add ?family=shy to the address"_s), qPrintable(bar().text()));
+    QVERIFY2(bar().text().contains(u"Away is not reached this way; it is usually at udp://192.0.2.1:2020"_s),
+             qPrintable(bar().text()));
 }
 
 void TestMessages::problemsComeAlongIntoAnotherLanguage()

@@ -94,6 +94,7 @@ constexpr const char *kDetails[] = {
     QT_TRANSLATE_NOOP("ErrorDetail", "a black box has no streams"),
     QT_TRANSLATE_NOOP("ErrorDetail", "this board has no streams; it is asked for each sample"),
     QT_TRANSLATE_NOOP("ErrorDetail", "say which family it is with ?family= and one of %1"),
+    QT_TRANSLATE_NOOP("ErrorDetail", "%1 is not reached that way"),
     QT_TRANSLATE_NOOP("ErrorDetail", "%1 counts in whole steps"),
     QT_TRANSLATE_NOOP("ErrorDetail", "the board is tuning itself"),
     QT_TRANSLATE_NOOP("ErrorDetail", "nothing was changed live"),
