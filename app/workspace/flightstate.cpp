@@ -170,14 +170,19 @@ double flightAngle(const Workspace &workspace, std::size_t axis)
 
 }  // namespace
 
-std::array<double, kAxisCount> shownAngles(Workspace &workspace)
+std::array<int, kAxisCount> shownSigns(Workspace &workspace)
 {
     // Found is what grows with the nose down; a horizon is drawn by what grows with the nose up.
     const CheckedDirections found = droneDirections(workspace);
     const bool isFound = found.level != CheckedDirections::Level::Nothing;
-    const double up = isFound ? -found.angles[1] : 1;
-    return {found.angles[0] * flightAngle(workspace, 0), up * flightAngle(workspace, 1),
-            found.angles[2] * flightAngle(workspace, 2)};
+    return {found.angles[0], isFound ? -found.angles[1] : 1, found.angles[2]};
+}
+
+std::array<double, kAxisCount> shownAngles(Workspace &workspace)
+{
+    const auto signs = shownSigns(workspace);
+    return {signs[0] * flightAngle(workspace, 0), signs[1] * flightAngle(workspace, 1),
+            signs[2] * flightAngle(workspace, 2)};
 }
 
 void showAttitude(Workspace &workspace, AttitudeView &view)

@@ -37,6 +37,9 @@ void keepDirections(Workspace &workspace, const CheckedDirections &found);
 void dropDirections(Workspace &workspace);
 /// The board has a name now: what was kept until the next connection is kept with it.
 void keepDirectionsByName(Workspace &workspace);
+/// What the board's angles are multiplied by where they are shown as the check of directions has found them;
+/// 1 without one.
+[[nodiscard]] std::array<int, kAxisCount> shownSigns(Workspace &workspace);
 /// Degrees as the check of directions has found them: to the right, nose up, turned to the right; without one
 /// as the board tells them. NaN: not known.
 [[nodiscard]] std::array<double, kAxisCount> shownAngles(Workspace &workspace);

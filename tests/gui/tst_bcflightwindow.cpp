@@ -15,6 +15,7 @@
 #include "app/pages/watch/dashboardpage.h"
 #include "app/pages/watch/monitorpage.h"
 #include "app/workspace/flightstate.h"
+#include "app/workspace/signsnote.h"
 #include "protocol/bcflight/tables.h"
 #include "protocol/configuration/writereport.h"
 #include "protocol/device/device.h"
@@ -23,6 +24,7 @@
 #include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/argumentform.h"
 #include "widgets/forms/panel.h"
 #include "widgets/models/errortext.h"
 #include "widgets/theme/theme.h"
@@ -71,6 +73,10 @@ private slots:
     void outputsThatAreNotToldAreUnknown();
     void outputsOfBeforeAStopAreNotTold();
     void repliesAreInWords();
+    void hotProcessorIsMarked_data();
+    void hotProcessorIsMarked();
+    void otherSignsAreTold();
+    void numbersHaveRoom();
 
 private:
     MainWindow &window() { return m_rig->window(); }
@@ -542,6 +548,73 @@ void TestBcflightWindow::repliesAreInWords()
     restarts.step = u"await-restart"_s;
     restarts.subject = u"CONFIG_FILE"_s;
     QVERIFY(!describe(restarts).contains(u"CONFIG_FILE"_s));
+}
+
+void TestBcflightWindow::hotProcessorIsMarked_data()
+{
+    QTest::addColumn<int>("celsius");
+    QTest::addColumn<QString>("sign");
+    QTest::addColumn<std::optional<ColorRole>>("role");
+    QTest::newRow("cool") << 69 << QString() << std::optional<ColorRole>();
+    QTest::newRow("warm") << 70 << u"⚠ "_s << std::optional(ColorRole::Warning);
+    QTest::newRow("hot") << 80 << u"✖ "_s << std::optional(ColorRole::Danger);
+}
+
+void TestBcflightWindow::hotProcessorIsMarked()
+{
+    QFETCH(int, celsius);
+    QFETCH(QString, sign);
+    QFETCH(std::optional<ColorRole>, role);
+    QVERIFY(m_rig->page<DashboardPage>());
+    m_rig->workspace().changeWorld(u"heat=%1"_s.arg(celsius));
+    const auto facts = [this] {
+        for (const QLabel *label : m_rig->page<DashboardPage>()->findChildren<QLabel *>()) {
+            if (label->text().contains(u"Processor temperature"_s))
+                return label->text();
+        }
+        return QString();
+    };
+    const QString text = u"%1%2 °C"_s.arg(sign).arg(celsius);
+    const QString wanted = role
+        ? u"<span style='color:%1'>%2</span>"_s.arg(m_rig->theme().color(*role).name(), text)
+        : u">%1<"_s.arg(text);
+    QTRY_VERIFY2_WITH_TIMEOUT(facts().contains(wanted), qPrintable(facts()), kPatience);
+}
+
+// Only while they are, and wherever the drone's own are shown.
+void TestBcflightWindow::otherSignsAreTold()
+{
+    QTRY_VERIFY_WITH_TIMEOUT(!axesKey(m_rig->workspace()).isEmpty(), kPatience);
+    CheckedDirections found;
+    found.level = CheckedDirections::Level::All;
+    for (const QString &key : {u"monitor"_s, u"tuning"_s, u"dashboard"_s}) {
+        dropDirections(m_rig->workspace());
+        QVERIFY(window().showPage(key));
+        const auto *note = window().page(key)->findChild<SignsNote *>();
+        QVERIFY(note && note->isHidden());
+        const auto checked = [&](const std::array<int, kAxisCount> &angles) {
+            found.angles = angles;
+            keepDirections(m_rig->workspace(), found);
+            return window().showPage(u"backups"_s) && window().showPage(key);
+        };
+        // A horizon is drawn by what grows with the nose up, the check asks for what grows with it down.
+        QVERIFY(checked({1, -1, 1}));
+        QVERIFY(note->isHidden());
+        QVERIFY(checked({1, 1, -1}));
+        QVERIFY(!note->isHidden());
+        QVERIFY2(note->text().contains(u"Pitch, Yaw"_s) && !note->text().contains(u"Roll"_s),
+                 qPrintable(note->text()));
+        QCOMPARE(shownSigns(m_rig->workspace()), (std::array<int, kAxisCount>{1, -1, -1}));
+    }
+}
+
+void TestBcflightWindow::numbersHaveRoom()
+{
+    auto *page = m_rig->page<ActionsPage>();
+    QVERIFY(page->showAction(u"vtx.channel"_s));
+    QVERIFY(m_rig->isSettled());
+    const QWidget *field = page->form()->field(u"channel"_s);
+    QVERIFY(field && field->width() >= field->fontMetrics().horizontalAdvance(u"88888"_s));
 }
 
 QTEST_MAIN(TestBcflightWindow)

@@ -18,6 +18,12 @@
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+constexpr int kNumberWidth = 72;
+
+}  // namespace
+
 ArgumentForm::ArgumentForm(const ActionSpec &action, const QStringList &hidden, QWidget *parent)
     : QWidget(parent)
     , m_action(action)
@@ -85,6 +91,7 @@ QWidget *ArgumentForm::makeField(const ArgumentSpec &argument)
     }
     auto *box = new NumberBox(argument.min, argument.max, decimals,
                               *argument.unit ? u' ' + QString::fromUtf8(argument.unit) : QString());
+    box->setMinimumWidth(kNumberWidth);  // by its range alone it would take the width of one digit
     box->setValue(standard.toDouble());
     box->setToolTip(tr("%1 to %2").arg(shortNumberText(argument.min), shortNumberText(argument.max)));
     return box;

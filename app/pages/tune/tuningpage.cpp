@@ -3,6 +3,7 @@
 #include "app/pages/tune/tuningpage.h"
 
 #include "app/pages/tune/gaincard.h"
+#include "app/workspace/signsnote.h"
 #include "protocol/client/whendone.h"
 #include "widgets/forms/liveslider.h"
 #include "widgets/forms/numberbox.h"
@@ -86,6 +87,7 @@ TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
     , m_save(makeButton(tr("Store"),
                         tr("Store the values in use in the active profile; a snapshot is taken first")))
     , m_state(new QLabel)
+    , m_signs(new SignsNote(workspace))
     , m_compare(
           makeButton(tr("Compare with stored"), tr("Reads what is stored: the board uses it for a moment")))
 {
@@ -153,6 +155,7 @@ void TuningPage::makeBody()
     state->addWidget(m_state, 1);
     state->addWidget(m_compare);
     body()->addLayout(state);
+    body()->addWidget(m_signs);
     body()->addLayout(split, 1);
     m_clock.setPlots(m_plots);
 }
@@ -394,6 +397,7 @@ void TuningPage::showEvent(QShowEvent *event)
         const ChannelRoles &roles = workspace().roles();
         return ChannelRoles::present({roles.angle, roles.target, roles.gyro});
     });
+    m_signs->refresh();
     m_clock.start();
     m_figureTimer.start();
 }

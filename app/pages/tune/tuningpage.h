@@ -12,6 +12,7 @@ class QButtonGroup;
 class QGridLayout;
 class QPushButton;
 class QScrollArea;
+class SignsNote;
 
 /// Gains and filters as live controls beside plots of their effect: two sets to compare, revert, and figures
 /// of the holding error.
@@ -70,6 +71,7 @@ private:
     QPushButton *m_revert;
     QPushButton *m_save;
     QLabel *m_state;
+    SignsNote *m_signs;
     QPushButton *m_compare;
     QList<PlotView *> m_plots;
     PlotClock m_clock;

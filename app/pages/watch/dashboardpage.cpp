@@ -4,6 +4,7 @@
 
 #include "app/pages/watch/alarmcard.h"
 #include "app/pages/watch/flightoverview.h"
+#include "app/workspace/signsnote.h"
 #include "protocol/device/bearings.h"
 #include "protocol/device/device.h"
 #include "protocol/device/firmwareadvice.h"
@@ -54,7 +55,7 @@ QString number(double value, int decimals, const QString &unit)
 QString tableRow(const QString &name, const QString &text)
 {
     return u"<tr><td style='padding:2px 16px 2px 0'>%1</td>"
-           "<td style='padding:2px 0' align='right'>%2</td></tr>"_s.arg(name, text.toHtmlEscaped());
+           "<td style='padding:2px 0' align='right'>%2</td></tr>"_s.arg(name, text);
 }
 
 /// A fault of the board: its name large, then what it means and what to do.
@@ -102,6 +103,7 @@ DashboardPage::DashboardPage(Workspace &workspace, QWidget *parent)
     , m_faultList(new QVBoxLayout)
     , m_courseCard(new Card(tr("Angles, last %1 s").arg(shortNumberText(kCourseSeconds))))
     , m_course(new PlotView(workspace.theme()))
+    , m_signs(new SignsNote(workspace))
 {
     auto *columns = new QHBoxLayout;
     columns->setSpacing(12);
@@ -208,6 +210,7 @@ QWidget *DashboardPage::makeFacts()
     m_course->setWindow(kCourseSeconds);
     m_course->setMarks(&workspace().marks());
     m_courseCard->content()->addWidget(m_course, 1);
+    m_courseCard->content()->addWidget(m_signs);
     m_courseCard->hide();
     auto *facts = new QWidget;
     auto *rows = new QVBoxLayout(facts);
@@ -287,6 +290,7 @@ void DashboardPage::fillParts()
 void DashboardPage::showEvent(QShowEvent *event)
 {
     Page::showEvent(event);
+    m_signs->refresh();
     workspace().telemetry().subscribe(this, [this] {
         const ChannelRoles &roles = workspace().roles();
         return ChannelRoles::present({roles.angle, roles.target, roles.frameAngle}) + roles.motors;
@@ -343,13 +347,22 @@ void DashboardPage::refreshFacts()
     const double cells = workspace().latest(roles.batteryCells);
     m_battery->setVolts(workspace().latest(roles.battery), std::isnan(cells) ? 0 : int(cells));
     QStringList rows;
-    const auto row = [&rows](const QString &name, const QString &text) { rows.append(tableRow(name, text)); };
+    const auto row = [&](const QString &name, const QString &text, ColorRole role = ColorRole::Text) {
+        const QString plain = text.toHtmlEscaped();
+        rows.append(tableRow(name,
+                             role == ColorRole::Text ? plain
+                                                     : u"<span style='color:%1'>%2</span>"_s.arg(
+                                                         workspace().theme().color(role).name(), plain)));
+    };
     if (roles.current >= 0)
         row(tr("Current"), number(workspace().latest(roles.current), 2, u"A"_s));
     if (roles.temperature >= 0) {
-        const QString temperature
-            = temperatureText(workspace().latest(roles.temperature), workspace().settings().fahrenheit());
-        row(tr("Sensor temperature"), temperature.isEmpty() ? u"–"_s : temperature);
+        const double celsius = workspace().latest(roles.temperature);
+        const QString temperature = temperatureText(celsius, workspace().settings().fahrenheit());
+        const bool isHot = celsius > workspace().settings().supervisorRules().hotCelsius;
+        row(tr("Sensor temperature"),
+            temperature.isEmpty() ? u"–"_s : (isHot ? u"✖ "_s : QString()) + temperature,
+            isHot ? ColorRole::Danger : ColorRole::Text);
     }
     const Device *device = workspace().client().device();
     if (const StatusWords *told = device ? device->statusWords() : nullptr;
@@ -362,8 +375,8 @@ void DashboardPage::refreshFacts()
             row(tableText(fact.name), words.join(u", "_s));
         }
     }
-    for (const auto &[name, text] : flightFacts(workspace()))
-        row(name, text);
+    for (const FlightFact &fact : flightFacts(workspace()))
+        row(fact.name, fact.text, fact.role);
     if (!flies()) {
         row(tr("Control cycle"), number(workspace().latest(roles.cycleTime), 0, u"µs"_s));
         row(tr("Sensor bus errors"), number(workspace().latest(roles.busErrors), 0, {}));
@@ -393,10 +406,10 @@ void DashboardPage::refreshLink()
     }
     QStringList rows;
     const auto row = [&rows, linked](const QString &name, const QString &text) {
-        rows.append(tableRow(name, linked ? text : u"–"_s));
+        rows.append(tableRow(name, linked ? text.toHtmlEscaped() : u"–"_s));
     };
-    for (const auto &[name, text] : flightLink(workspace()))
-        row(name, text);
+    for (const FlightFact &fact : flightLink(workspace()))
+        row(fact.name, fact.text);
     row(tr("Received"), m_received);
     row(tr("Sent"), m_sent);
     row(tr("Unanswered"), QString::number(link.timeouts));

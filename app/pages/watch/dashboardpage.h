@@ -18,6 +18,7 @@ class PlotView;
 class QFormLayout;
 class QProgressBar;
 class QStackedWidget;
+class SignsNote;
 
 /// The board at a glance. A gimbal: as a body and as a horizon, angles against targets and limits, motors. A
 /// flying machine: whether it is armed, its horizon, its motors. Of both: battery, faults with cause and
@@ -65,6 +66,7 @@ private:
     QVBoxLayout *m_faultList;
     Card *m_courseCard;
     PlotView *m_course;
+    SignsNote *m_signs;
     PlotClock m_clock;
     QVBoxLayout *m_factRows = nullptr;
     QStringList m_shownFaults;

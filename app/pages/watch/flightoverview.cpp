@@ -27,6 +27,11 @@ struct Flight
     Q_DECLARE_TR_FUNCTIONS(FlightOverview)
 };
 
+// Drones run on Raspberry Pis, which slow down from 80 °C (their maker's documentation); the scale of the
+// original's bar ends there as well (errata 10).
+constexpr double kWarmProcessor = 70;
+constexpr double kHotProcessor = 80;
+
 QString figure(double value, int decimals, const QString &unit)
 {
     return std::isnan(value) ? u"–"_s : numberText(value, decimals) + u' ' + unit;
@@ -102,28 +107,40 @@ void FlightOverview::refresh()
                  "is the front is not established."));
 }
 
-QList<std::pair<QString, QString>> flightFacts(Workspace &workspace)
+QList<FlightFact> flightFacts(Workspace &workspace)
 {
     const ChannelRoles &roles = workspace.roles();
-    QList<std::pair<QString, QString>> rows;
-    const auto row = [&rows](int channel, const QString &name, const QString &text) {
-        if (channel >= 0)
-            rows.append({name, text});
-    };
+    QList<FlightFact> rows;
+    const auto row
+        = [&rows](int channel, const QString &name, const QString &text, ColorRole role = ColorRole::Text) {
+              if (channel >= 0)
+                  rows.append({name, text, role});
+          };
     const auto value = [&workspace](int channel) { return workspace.latest(channel); };
     row(roles.batteryLevel, Flight::tr("Battery level"), share(value(roles.batteryLevel)));
     row(roles.charge, Flight::tr("Charge drawn"), figure(value(roles.charge), 0, u"mAh"_s));
     row(roles.cpuLoad, Flight::tr("Processor load"), share(value(roles.cpuLoad)));
-    const QString heat = temperatureText(value(roles.cpuTemperature), workspace.settings().fahrenheit());
-    row(roles.cpuTemperature, Flight::tr("Processor temperature"), heat.isEmpty() ? u"–"_s : heat);
+    const double celsius = value(roles.cpuTemperature);
+    const QString heat = temperatureText(celsius, workspace.settings().fahrenheit());
+    const bool isHot = celsius >= kHotProcessor;
+    const bool isWarm = celsius >= kWarmProcessor;
+    row(roles.cpuTemperature, Flight::tr("Processor temperature"),
+        heat.isEmpty() ? u"–"_s
+                       : (isHot        ? u"✖ "_s
+                              : isWarm ? u"⚠ "_s
+                                       : QString())
+                + heat,
+        isHot        ? ColorRole::Danger
+            : isWarm ? ColorRole::Warning
+                     : ColorRole::Text);
     row(roles.loops, Flight::tr("Control loop"), figure(value(roles.loops), 0, Flight::tr("per second")));
     return rows;
 }
 
-QList<std::pair<QString, QString>> flightLink(const Workspace &workspace)
+QList<FlightFact> flightLink(const Workspace &workspace)
 {
     const ChannelRoles &roles = workspace.roles();
-    QList<std::pair<QString, QString>> rows;
+    QList<FlightFact> rows;
     if (roles.receiveQuality >= 0)
         rows.append({Flight::tr("Drone receives"), share(workspace.latest(roles.receiveQuality))});
     if (roles.receiveLevel >= 0) {

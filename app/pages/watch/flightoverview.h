@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/theme/theme.h"
+
 #include <QWidget>
 
 class ArmedState;
@@ -37,7 +39,15 @@ private:
     MotorDiagram *m_motors;
 };
 
-/// Rows of a table about what such a machine tells of its battery, its processor and how it receives;
-/// a percentage is kept within 0 to 100, with what was reported beside it.
-[[nodiscard]] QList<std::pair<QString, QString>> flightFacts(Workspace &workspace);
-[[nodiscard]] QList<std::pair<QString, QString>> flightLink(const Workspace &workspace);
+/// A row of a table about what such a machine tells.
+struct FlightFact
+{
+    QString name;
+    QString text;
+    ColorRole role = ColorRole::Text;
+};
+
+/// Of its battery, its processor and how it receives; a percentage is kept within 0 to 100, with what was
+/// reported beside it.
+[[nodiscard]] QList<FlightFact> flightFacts(Workspace &workspace);
+[[nodiscard]] QList<FlightFact> flightLink(const Workspace &workspace);

@@ -3,6 +3,7 @@
 #include "app/pages/watch/monitorpage.h"
 
 #include "app/pages/watch/streamsdialog.h"
+#include "app/workspace/signsnote.h"
 #include "protocol/base/filefault.h"
 #include "protocol/record/telemetrycsv.h"
 #include "protocol/telemetry/telemetryplan.h"
@@ -54,6 +55,7 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     , m_record(new QPushButton)
     , m_recordMenu(new QMenu(m_record))
     , m_note(new ElidedLabel)
+    , m_signs(new SignsNote(workspace))
 {
     makeHeader();
     makeBody();
@@ -137,8 +139,14 @@ void MonitorPage::makeBody()
     coverWhenStale(*right, {}, StaleCover::Look::Tag);
     m_arrayChart->hide();
     rightLayout->addWidget(m_empty);
+    auto *left = new QWidget;
+    auto *leftLayout = new QVBoxLayout(left);
+    leftLayout->setContentsMargins(0, 0, 0, 0);
+    leftLayout->setSpacing(Metric::kGap);
+    leftLayout->addWidget(m_tree, 1);
+    leftLayout->addWidget(m_signs);
     auto *split = new QSplitter;
-    split->addWidget(m_tree);
+    split->addWidget(left);
     split->addWidget(right);
     split->setStretchFactor(1, 1);
     split->setSizes({350, 880});
@@ -304,6 +312,7 @@ void MonitorPage::showChannelMenu(const QPoint &at)
 void MonitorPage::showEvent(QShowEvent *event)
 {
     Page::showEvent(event);
+    m_signs->refresh();
     m_valueTimer.start();
 }
 

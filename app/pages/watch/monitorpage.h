@@ -15,6 +15,7 @@ class QComboBox;
 class QMenu;
 class QPushButton;
 class QTreeView;
+class SignsNote;
 struct PlotLayout;
 
 /// Chosen telemetry channels plotted live: by default one plot per unit, or as the operator arranges them.
@@ -96,6 +97,7 @@ private:
     QPushButton *m_record;
     QMenu *m_recordMenu;
     ElidedLabel *m_note;
+    SignsNote *m_signs;
     QTimer m_valueTimer;
     std::shared_ptr<UdpExport> m_publication;
     QString m_publishedTo;
