@@ -102,6 +102,8 @@ void TestFlightViews::statesAreToldApart()
             QVERIFY(other.size() != picture.size() || other != picture);
         pictures.append(picture);
         words.insert(tile.word());
+        for (int width = 220; width < 400; width += 20)
+            QCOMPARE(tile.shownWord(width), tile.word());
         QVERIFY(tile.accessibleDescription().contains(tile.word()));
         const bool isRed = pixelsOf(picture, theme.color(ColorRole::Danger)) > picture.width() * 20;
         QCOMPARE(isRed, state == State::Armed || state == State::RunsOn);

@@ -12,6 +12,7 @@
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/reviewdialog.h"
 #include "widgets/forms/valueeditor.h"
+#include "widgets/views/armedstate.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -57,6 +58,8 @@ QString clippedText(const QWidget *widget)
         const int room = button->width() - (qobject_cast<const QCheckBox *>(button) ? 18 : 8);
         return button->fontMetrics().horizontalAdvance(text) > room ? button->text() : QString();
     }
+    if (const auto *tile = qobject_cast<const ArmedState *>(widget))
+        return tile->shownWord(tile->width()) == tile->word() ? QString() : tile->word();
     if (const auto *box = qobject_cast<const QComboBox *>(widget)) {
         if (box->isEditable() || box->toolTip().contains(box->currentText()))
             return {};
@@ -238,6 +241,12 @@ void TestLooks::nothingIsClippedForADrone()
             continue;
         QVERIFY(rig.window().showPage(key));
         checkClipping(rig, key);
+        for (auto *tile : rig.window().page(key)->findChildren<ArmedState *>()) {
+            for (int state = 0; state <= int(ArmedState::State::Armed); ++state) {
+                tile->setState(ArmedState::State(state));
+                QCOMPARE(tile->shownWord(tile->width()), tile->word());
+            }
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/families/simplebgc/signalspage.h"
+#include "app/mainwindow/translations.h"
 #include "app/pages/board/actionspage.h"
 #include "app/pages/board/controlpage.h"
 #include "protocol/device/device.h"
@@ -12,6 +13,7 @@
 
 #include <QComboBox>
 #include <QPushButton>
+#include <QStyleOptionComboBox>
 #include <QTextBrowser>
 #include <QTimer>
 
@@ -31,6 +33,8 @@ private slots:
     void theStickThatMovesIsSeen();
     void channelsAreAModeOfControl();
     void answersAreWords();
+    void fieldsCanBeRead_data();
+    void fieldsCanBeRead();
 
 private:
     void map(const QString &key, int raw);
@@ -144,6 +148,37 @@ void TestSignals::answersAreWords()
     QTRY_VERIFY2(reply->toPlainText().contains(u"Devices that answer"_s)
                      && reply->toPlainText().contains(u"0x68"_s),
                  qPrintable(reply->toPlainText()));
+}
+
+void TestSignals::fieldsCanBeRead_data()
+{
+    QTest::addColumn<QString>("language");
+    QTest::newRow("English") << u"en"_s;
+    QTest::newRow("German") << u"de"_s;
+}
+
+void TestSignals::fieldsCanBeRead()
+{
+    QFETCH(QString, language);
+    m_rig.reset();
+    const Translations translations(language);
+    m_rig = std::make_unique<WindowRig>();
+    m_rig->window().resize(1280, 800);
+    QVERIFY(m_rig->open(u"sim:simplebgc?firmware=2.70.4"_s));
+    auto *page = m_rig->page<SignalsPage>();
+    QVERIFY(m_rig->isSettled());
+    int seen = 0;
+    for (const QComboBox *box : page->form()->findChildren<QComboBox *>()) {
+        QStyleOptionComboBox option;
+        option.initFrom(box);
+        const QRect room
+            = box->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box);
+        QVERIFY2(box->fontMetrics().horizontalAdvance(box->currentText()) <= room.width(),
+                 qPrintable(u"%1: %2"_s.arg(box->currentText()).arg(room.width())));
+        ++seen;
+    }
+    QCOMPARE(seen, 6);
+    m_rig.reset();
 }
 
 QTEST_MAIN(TestSignals)

@@ -205,7 +205,6 @@ QWidget *ParameterForm::makeMatrix(const QList<QList<int>> &rows)
         grid->setColumnMinimumWidth(axis + 1, 112);
         grid->setColumnStretch(axis + 1, 2);
     }
-    grid->setColumnStretch(4, 1);
     int line = 1;
     for (const QList<int> &row : rows) {
         const ParameterSpec &first = set.at(row.first());
@@ -219,8 +218,10 @@ QWidget *ParameterForm::makeMatrix(const QList<QList<int>> &rows)
         grid->addWidget(name, line, 0, Qt::AlignLeft | Qt::AlignVCenter);
         for (const int id : row)
             grid->addWidget(makeEditor(id), line, int(set.at(id).axis) + 1, Qt::AlignTop);
-        if (*first.row->unit)
+        if (*first.row->unit) {
             grid->addWidget(makeLabel(QString::fromUtf8(first.row->unit), "unit"), line, 4, Qt::AlignVCenter);
+            grid->setColumnStretch(4, 1);
+        }
         ++line;
     }
     widget->setMaximumWidth(2 * Metric::kFieldWidth);

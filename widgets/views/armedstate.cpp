@@ -114,10 +114,31 @@ QFont ArmedState::wordFont() const
     return large;
 }
 
+QFont ArmedState::wordFontIn(int room) const
+{
+    QFont fitting = wordFont();
+    while (QFontMetrics(fitting).horizontalAdvance(word()) > room
+           && fitting.pointSizeF() > font().pointSizeF())
+        fitting.setPointSizeF(fitting.pointSizeF() - 1);
+    return fitting;
+}
+
+// Beside the sign.
+int ArmedState::roomIn(int width) const
+{
+    return width - 3 * kTilePadding - 2 * QFontMetrics(wordFont()).height();
+}
+
+QString ArmedState::shownWord(int width) const
+{
+    const int room = roomIn(width);
+    return QFontMetrics(wordFontIn(room)).elidedText(word(), Qt::ElideRight, room);
+}
+
 int ArmedState::heightForWidth(int width) const
 {
     const int line = QFontMetrics(wordFont()).height();
-    const int room = std::max(60, width - 3 * kTilePadding - 2 * line);
+    const int room = std::max(60, roomIn(width));
     const int text
         = fontMetrics().boundingRect(QRect(0, 0, room, 1000), Qt::TextWordWrap, sentence()).height();
     return 2 * kTilePadding + line + Metric::kUnit + std::max(text, 2 * fontMetrics().height());
@@ -195,19 +216,18 @@ void ArmedState::paintEvent(QPaintEvent *)
     painter.drawRoundedRect(tile, 8, 8);
     const QColor ink = isAlarm() ? m_theme.color(ColorRole::DangerText) : own;
 
-    const QFont large = wordFont();
-    const int line = QFontMetrics(large).height();
+    const int line = QFontMetrics(wordFont()).height();
     const double size = 2.0 * line;
     drawSign(painter, QRectF(kTilePadding, (height() - size) / 2, size, size), ink);
     const int left = int(2 * kTilePadding + size);
-    QRect room(left, kTilePadding, width() - left - kTilePadding, height() - 2 * kTilePadding);
+    QRect room(left, kTilePadding, roomIn(width()), height() - 2 * kTilePadding);
     const int used = line + Metric::kUnit
         + fontMetrics().boundingRect(QRect(0, 0, room.width(), 1000), Qt::TextWordWrap, sentence()).height();
     room.adjust(0, std::max(0, (room.height() - used) / 2), 0, 0);
-    painter.setFont(large);
+    painter.setFont(wordFontIn(room.width()));
     painter.setPen(ink);
     painter.drawText(QRect(room.left(), room.top(), room.width(), line), Qt::AlignLeft | Qt::AlignVCenter,
-                     QFontMetrics(large).elidedText(word(), Qt::ElideRight, room.width()));
+                     shownWord(width()));
     painter.setFont(font());
     painter.setPen(isAlarm() ? ink : m_theme.color(ColorRole::Text));
     painter.drawText(room.adjusted(0, line + Metric::kUnit, 0, 0), Qt::TextWordWrap, sentence());

@@ -36,6 +36,8 @@ public:
     /// The word of the tile, and what it means.
     [[nodiscard]] QString word() const;
     [[nodiscard]] QString sentence() const;
+    /// The word as it stands in a tile of this width.
+    [[nodiscard]] QString shownWord(int width) const;
 
     [[nodiscard]] bool hasHeightForWidth() const override { return true; }
     [[nodiscard]] int heightForWidth(int width) const override;
@@ -49,6 +51,9 @@ protected:
 private:
     void tell();
     [[nodiscard]] QFont wordFont() const;
+    /// Smaller where the word would not fit.
+    [[nodiscard]] QFont wordFontIn(int room) const;
+    [[nodiscard]] int roomIn(int width) const;
     [[nodiscard]] bool isAlarm() const { return m_state == State::Armed || m_state == State::RunsOn; }
     void drawSign(QPainter &painter, const QRectF &room, const QColor &colour) const;
 
