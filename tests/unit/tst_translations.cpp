@@ -21,6 +21,8 @@ constexpr int kMinTableTexts = 900;
 constexpr int kMinTableTexts = 450;
 #endif
 
+const QString kOtherAxes = uR"(\b(Nick|Nicken|Gier|Gieren|Rollen|Rollachse|Nickachse|Gierachse)\b)"_s;
+
 struct Message
 {
     QString context;
@@ -82,6 +84,7 @@ private slots:
     void everyTableTextIsThere();
     void oneWordForEachThing_data();
     void oneWordForEachThing();
+    void axesHaveOneNameEach();
     void helpUsesTheSameWords();
     void everyHelpTextHasBothLanguages();
 };
@@ -167,13 +170,24 @@ void TestTranslations::oneWordForEachThing()
     QCOMPARE(seen > 0, !german.isEmpty());
 }
 
+// Roll, Pitch and Yaw, as on the scales.
+void TestTranslations::axesHaveOneNameEach()
+{
+    const QRegularExpression others(kOtherAxes);
+    for (const Message &message : readCatalogue(u"gimbaldesk_de.ts"_s)) {
+        for (const QString &translation : message.translations)
+            QVERIFY2(!translation.contains(others), qPrintable(translation));
+    }
+}
+
 void TestTranslations::helpUsesTheSameWords()
 {
     const QList<std::pair<QString, QRegularExpression>> others{
         {u"en"_s,
          QRegularExpression(
              uR"([Rr]etriev|[Rr]oll(ed)? back|\*\*Save( variables)?\*\* stores|not saved|[Uu]nsaved)"_s)},
-        {u"de"_s, QRegularExpression(uR"(Alles zurück\*|Speichern\*\* legt|ngesichert)"_s)}};
+        {u"de"_s,
+         QRegularExpression(uR"(Alles zurück\*|Speichern\*\* legt|ngesichert)"_s + u'|' + kOtherAxes)}};
     for (const auto &[language, words] : others) {
         const QDir folder(QStringLiteral(GIMBAL_SOURCE_DIR "/resources/help/") + language);
         const auto names = folder.entryList({u"*.md"_s});
