@@ -306,6 +306,10 @@ Result<void> checkOthers(Device &device, std::optional<OtherValues> others);
 /// @param wanted keys of parameters that are to be written
 [[nodiscard]] QString replacedText(Channel &channel, Device &device, const Configuration &base,
                                    const QSet<QString> &wanted);
+/// The switch that lets leaps (isLeap()) through.
+[[nodiscard]] CommandOption leapOption(bool &on);
+/// Whether it may be written. Errors: InvalidArgument (there are leaps, and nobody has confirmed them).
+Result<void> checkLeaps(const Configuration &base, const Configuration &edited, bool areConfirmed);
 /// Writes and reports the result. The exit code is 1 unless everything was verified.
 Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Configuration &base,
                                       const Configuration &edited, const WriteOptions &options);

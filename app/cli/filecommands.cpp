@@ -299,7 +299,8 @@ public:
     const char *example() const override { return "--link serial:/dev/ttyUSB0 apply before.json --dry-run"; }
     QList<CommandOption> options() override
     {
-        return {dryRunOption(m_dryRun), partialOption(m_partial), othersOption(m_others)};
+        return {dryRunOption(m_dryRun), partialOption(m_partial), othersOption(m_others),
+                leapOption(m_areLeapsConfirmed)};
     }
     QString check() const override
     {
@@ -346,6 +347,8 @@ public:
             outcome->note = othersText(device, options, namesIn(*file));
             outcome->note += replaced;
         } else {
+            if (const auto clear = checkLeaps(*base, edited, m_areLeapsConfirmed); !clear)
+                return tl::unexpected(clear.error());
             if (!replaced.isEmpty())
                 emit told(replaced);
             options.history = &history();
@@ -369,6 +372,7 @@ public:
 private:
     bool m_dryRun = false;
     bool m_partial = false;
+    bool m_areLeapsConfirmed = false;
     std::optional<OtherValues> m_others;
 };
 

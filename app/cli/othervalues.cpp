@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What else was in use without being stored, on boards that store everything at once.
 #include "app/cli/command.h"
+#include "protocol/configuration/leap.h"
 #include "protocol/procedure/inuse.h"
 #include "protocol/procedure/wholewrite.h"
 
@@ -248,6 +249,25 @@ QString tellOthers(const WriteReport &report, QString &text, QJsonObject &json)
         = (report.lines.empty() && report.data.empty() ? u"%1"_s : u"%1 other"_s).arg(others.size());
     const QString told = othersNote(report, count);
     return meanwhile.isEmpty() ? told : told + u'\n' + meanwhile;
+}
+
+CommandOption leapOption(bool &on)
+{
+    return switchOption(u"confirmed"_s, u"values of the risk class may become many times what they are"_s,
+                        on);
+}
+
+Result<void> checkLeaps(const Configuration &base, const Configuration &edited, bool areConfirmed)
+{
+    QStringList told;
+    for (const ParameterChange &change : leapsAmong(base.changesTo(edited)))
+        told.append(u"%1 from %2 to %3"_s.arg(change.spec->key, valueText(*change.spec, change.from),
+                                              valueText(*change.spec, change.to)));
+    if (areConfirmed || told.isEmpty())
+        return {};
+    return failure(ErrorCode::InvalidArgument,
+                   u"more than %1 times what the board has: %2; confirm it with --confirmed"_s.arg(kLeap).arg(
+                       told.join(u", "_s)));
 }
 
 QString othersText(Device &device, const WriteOptions &options, const QSet<QString> &wanted)

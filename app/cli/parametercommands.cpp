@@ -331,7 +331,7 @@ public:
     {
         return {profileOption(m_profile),
                 switchOption(u"no-save"_s, u"change values in volatile memory only"_s, m_noSave),
-                othersOption(m_others)};
+                othersOption(m_others), leapOption(m_areLeapsConfirmed)};
     }
     QString check() const override
     {
@@ -387,6 +387,8 @@ public:
             changed.push_back(spec);
             live.push_back({variable, *raw * spec->row->adjustableScale});
         }
+        if (const auto checked = checkLeaps(*base, edited, m_areLeapsConfirmed); !checked)
+            return tl::unexpected(checked.error());
         if (!m_noSave) {
             options.history = &history();
             options.evenIfInUse = true;
@@ -436,6 +438,7 @@ public:
 private:
     int m_profile = 0;
     bool m_noSave = false;
+    bool m_areLeapsConfirmed = false;
     std::optional<OtherValues> m_others;
 };
 

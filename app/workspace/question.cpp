@@ -4,8 +4,10 @@
 
 #include "app/workspace/workspace.h"
 #include "protocol/client/whendone.h"
+#include "protocol/configuration/leap.h"
 #include "widgets/forms/panel.h"
 #include "widgets/models/errortext.h"
+#include "widgets/models/leaptext.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QCoreApplication>
@@ -58,6 +60,24 @@ QString whyNotBehind(const QWidget &page)
     const bool isCovered
         = std::any_of(dialogs.begin(), dialogs.end(), [](const QDialog *open) { return open->isVisible(); });
     return isCovered ? Questions::tr("Not armed: a question or a list is open over this page.") : QString();
+}
+
+void askAboutLeap(Workspace &workspace, const ParameterChange &change, QWidget *parent,
+                  const std::function<void()> &goOn)
+{
+    const QString leap = leapText(change);
+    if (workspace.isFlown()) {
+        workspace.notifications().notify(
+            Questions::tr("Not set while it is armed: %1. Disarm it first.").arg(leap), Notice::Attention);
+        return;
+    }
+    const Question question{
+        Questions::tr("Many times as much?"),
+        Questions::tr("%1. With a value far too large it swings or runs away as soon as the motors run.")
+            .arg(leap),
+        {{Questions::tr("Use it all the same"), goOn, true}},
+        Questions::tr("Leave it")};
+    withdrawWithTheLink(workspace, askInPanel(question, parent));
 }
 
 void askToStartMotors(Workspace &workspace, QWidget *parent)

@@ -5,6 +5,7 @@
 #include "app/workspace/decision.h"
 
 class QDialog;
+struct ParameterChange;
 class QWidget;
 class Workspace;
 
@@ -15,6 +16,11 @@ QDialog *askInPanel(const Question &question, QWidget *parent);
 /// Why nothing is armed there now: a question or a list is open over it, which a gamepad reaches behind.
 /// @return empty where nothing is open
 [[nodiscard]] QString whyNotBehind(const QWidget &page);
+
+/// Goes on with a value that is a leap (isLeap()) once the operator has said so again. Of something that is
+/// armed from here it is refused, and told: a panel would lie over what disarms it.
+void askAboutLeap(Workspace &workspace, const ParameterChange &change, QWidget *parent,
+                  const std::function<void()> &goOn);
 
 /// Starts the motors once the operator has said so again: the gimbal moves at once.
 void askToStartMotors(Workspace &workspace, QWidget *parent);

@@ -3,6 +3,7 @@
 // What is in use goes to what is stored, and how the two are told apart.
 #include "app/workspace/question.h"
 #include "app/workspace/workspace.h"
+#include "protocol/configuration/leap.h"
 #include "protocol/procedure/wholewrite.h"
 #include "widgets/forms/panel.h"
 #include "widgets/forms/reviewdialog.h"
@@ -228,6 +229,10 @@ QFuture<bool> Workspace::reviewRewriting(QWidget &over)
     const Stored stored = makeStored();
     auto *review = new ReviewDialog(inUse, **after, {}, &over);
     review->setFlies(m_notifications.flies());
+    std::vector<ParameterChange> changes;
+    for (const LiveValue &value : m_live.unsaved())
+        changes.push_back({inUse.parameters().find(value.key), 0, value.stored, value.inUse});
+    review->setTextLeaps(leapsAmong(changes));
     review->setAttribute(Qt::WA_DeleteOnClose);
     connect(&m_client, &DeviceClient::stateChanged, review, &QDialog::reject);
     connect(review, &QDialog::rejected, this, [stored] { end(stored, false); });

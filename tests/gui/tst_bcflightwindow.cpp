@@ -25,7 +25,10 @@
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/argumentform.h"
+#include "widgets/forms/liveslider.h"
 #include "widgets/forms/panel.h"
+#include "widgets/forms/reviewdialog.h"
+#include "widgets/models/changemodel.h"
 #include "widgets/models/errortext.h"
 #include "widgets/theme/theme.h"
 #include "widgets/views/armedstate.h"
@@ -57,6 +60,8 @@ private slots:
     void liveDataCome();
     void consoleLeavesHeartbeatsOut();
     void slidersSpanWhatIsNear();
+    void manyTimesAsMuchIsAsked();
+    void leapsAreMarkedBeforeTheyAreWritten();
     void itsOwnSpectrumStandsBeside();
     void itsUsualAddressIsOffered();
     void limitsOfTheBoardBeforeAreGone();
@@ -177,6 +182,66 @@ void TestBcflightWindow::slidersSpanWhatIsNear()
         QTRY_VERIFY_WITH_TIMEOUT(live.isSettled() && *live.value(gain) > before, kPatience);
         QVERIFY2(*live.value(gain) < before * 1.2, qPrintable(QString::number(*live.value(gain) / before)));
     }
+}
+
+// A slip of a digit is within the range of a gain.
+void TestBcflightWindow::manyTimesAsMuchIsAsked()
+{
+    auto *page = m_rig->page<TuningPage>();
+    QVERIFY(page);
+    LiveModel &live = m_rig->workspace().live();
+    const int gain = m_rig->spec(u"pid.roll.p"_s).id;
+    QTRY_VERIFY_WITH_TIMEOUT(live.value(gain).has_value(), kPatience);
+    const double before = *live.value(gain);
+    const double far = double(float(before * 350));
+    const auto ask = [&] { emit page->control(u"pid.roll.p"_s)->edited(far); };
+    ask();
+    QVERIFY(window().panels()->isOpen());
+    const QString said = window().panels()->newest()->findChild<QLabel *>(u"qt_msgbox_label"_s)->text();
+    QVERIFY2(said.contains(u"350 times"_s), qPrintable(said));
+    QTest::mouseClick(named<QPushButton>(window().panels()->newest(), u"Leave it"_s), Qt::LeftButton);
+    QVERIFY(m_rig->jobsAreDone());
+    QCOMPARE(live.value(gain), std::optional(before));
+    // In small steps neither.
+    live.setValue(gain, before * 2.5);
+    QTRY_VERIFY_WITH_TIMEOUT(live.isSettled() && *live.value(gain) > before * 2.4, kPatience);
+    live.setValue(gain, before * 3.5);
+    QTRY_VERIFY(window().panels()->isOpen());
+    QTest::mouseClick(named<QPushButton>(window().panels()->newest(), u"Leave it"_s), Qt::LeftButton);
+    ask();
+    QTest::mouseClick(named<QPushButton>(window().panels()->newest(), u"Use it all the same"_s),
+                      Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(live.isSettled() && *live.value(gain) == far, kPatience);
+    live.setValue(gain, far * 1.1);  // it was agreed to
+    QVERIFY(!window().panels()->isOpen());
+    QTRY_VERIFY_WITH_TIMEOUT(live.isSettled() && *live.value(gain) > far, kPatience);
+    // Stored, it would be there at each start.
+    std::ignore = m_rig->workspace().saveLive(window());
+    ReviewDialog *review = nullptr;
+    QTRY_VERIFY_WITH_TIMEOUT((review = window().findChild<ReviewDialog *>()), kPatience);
+    const auto *rows = review->table()->model();
+    QCOMPARE(rows->index(0, ChangeModel::NameColumn).data().toString(), u"⚠ Configuration text"_s);
+    QVERIFY(rows->index(0, 0).data(ChangeModel::RedRole).toBool());
+    QCOMPARE(review->writeButton()->objectName(), u"danger"_s);
+    QVERIFY(review->riskText().contains(u"times what the board has"_s));
+    review->reject();
+}
+
+void TestBcflightWindow::leapsAreMarkedBeforeTheyAreWritten()
+{
+    const auto reviewed = [this](double factor) {
+        m_rig->edit(u"pid.roll.p"_s, 0, double(float(m_rig->raw(u"pid.roll.p"_s) * factor)));
+        QTest::mouseClick(window().unsavedBar()->writeButton(), Qt::LeftButton);
+        if (!QTest::qWaitFor([this] { return window().reviewDialog() != nullptr; }, kPatience))
+            return QString();
+        const QString text = window().reviewDialog()->riskText();
+        window().reviewDialog()->reject();
+        return QTest::qWaitFor([this] { return !window().reviewDialog(); }, kPatience) ? text : QString();
+    };
+    const QString near = reviewed(2);
+    QVERIFY2(near.startsWith(u"⚠"_s), qPrintable(near));
+    const QString far = reviewed(350);
+    QVERIFY2(far.contains(u"350 times"_s), qPrintable(far));
 }
 
 void TestBcflightWindow::itsOwnSpectrumStandsBeside()

@@ -73,6 +73,7 @@ constexpr PanelSite kSites[]{
     {"play", "app/mainwindow/mainwindow.cpp openFile"},
     {nullptr,
      "app/mainwindow/mainwindow.cpp connectFrame"},  // what is confirmed each time: see tst_benchpage
+    {nullptr, "app/workspace/question.cpp askAboutLeap"},  // of gains of a drone: see tst_bcflightwindow
     {nullptr, "app/workspace/question.cpp askToStartMotors"},  // goes by itself where motors run
     {"letgo", "app/workspace/question.cpp askToLetGo"},
     {"storing", "app/workspace/storing.cpp reviewStoring", true},

@@ -25,6 +25,7 @@ private slots:
     void init() { m_dir = std::make_unique<QTemporaryDir>(); }
     void theDayOfADrone();
     void theDayOverALossyNetwork();
+    void manyTimesAsMuchIsConfirmed();
     void anotherGroundIsTold();
     void stopIsSentBeforeItIsKnown();
     void theLinkIsMeasured();
@@ -128,6 +129,31 @@ void TestBcflightCtl::theDayOfADrone()
     QCOMPARE(untold.exitCode, 0);
     QCOMPARE(untold.json().value(u"outputs"_s).toString(), u"unknown"_s);
     QVERIFY2(untold.err.contains(u"does not tell what its motors do"_s), qPrintable(untold.err));
+}
+
+// A slip of a digit is within the range of a gain: on the command line as in a file.
+void TestBcflightCtl::manyTimesAsMuchIsConfirmed()
+{
+    const SimProcess drone({u"--udp"_s, u"0"_s}, u"bcflight"_s);
+    const QStringList link{u"--link"_s, drone.address()};
+    const auto gain = [&] { return ctl(link + QStringList{u"get"_s, u"pid.roll.p"_s}).out.trimmed(); };
+    const QString before = gain();
+    QVERIFY(before.startsWith(u"0.00144"_s));
+    const Run set = ctl(link + QStringList{u"set"_s, u"pid.roll.p=0.504"_s});
+    QVERIFY(set.exitCode != 0);
+    QVERIFY2(set.err.contains(u"more than 3 times"_s) && set.err.contains(u"--confirmed"_s),
+             qPrintable(set.err));
+    QVERIFY(ctl(link + QStringList{u"set"_s, u"pid.roll.p=0.504"_s, u"--no-save"_s}).exitCode != 0);
+    QCOMPARE(gain(), before);
+    QCOMPARE(ctl(link + QStringList{u"set"_s, u"pid.roll.p=0.504"_s, u"--confirmed"_s}).exitCode, 0);
+    QCOMPARE(ctl(link + QStringList{u"dump"_s, path(u"far.json"_s)}).exitCode, 0);
+    QCOMPARE(ctl(link + QStringList{u"set"_s, u"pid.roll.p="_s + before}).exitCode, 0);
+    const QStringList apply{u"apply"_s, path(u"far.json"_s)};
+    QVERIFY(ctl(link + apply).exitCode != 0);
+    QCOMPARE(gain(), before);
+    QCOMPARE(ctl(link + apply + QStringList{u"--dry-run"_s}).exitCode, 0);
+    QCOMPARE(ctl(link + apply + QStringList{u"--confirmed"_s}).exitCode, 0);
+    QVERIFY(gain().startsWith(u"0.504"_s));
 }
 
 // One packet of twenty is lost on each way: everything works, or is said not to have worked.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/forms/liveslider.h"
 
+#include "protocol/configuration/leap.h"
 #include "widgets/forms/valueeditor.h"
 #include "widgets/models/parametermodel.h"
 
@@ -18,7 +19,6 @@ namespace {
 constexpr int kSteps = 50;  // from end to end with the keys, when not by single counts
 constexpr int kPositions = 1000;  // of a slider for a value that has no counts, or too many of them
 constexpr double kMaxCounts = 1e6;
-constexpr double kNear = 4;  // times the value from which tuning began
 constexpr double kFromNothing = 1e-3;  // of the range, where that is 0
 
 }  // namespace
@@ -69,7 +69,7 @@ void LiveSlider::span(double value, std::optional<double> stored)
         m_reference = stored;
     else if (!m_reference)
         m_reference = value;
-    const double most = *m_reference > low ? kNear * (*m_reference - low) : kFromNothing * (high - low);
+    const double most = *m_reference > low ? kLeap * (*m_reference - low) : kFromNothing * (high - low);
     m_span = {low, std::clamp(low + most, std::min(value, high), high)};
 }
 

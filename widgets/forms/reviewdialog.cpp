@@ -3,6 +3,7 @@
 #include "widgets/forms/reviewdialog.h"
 
 #include "protocol/configuration/linediff.h"
+#include "widgets/models/leaptext.h"
 #include "widgets/models/missingtext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/tablelook.h"
@@ -77,9 +78,8 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     m_table->horizontalHeader()->setSectionResizeMode(ChangeModel::NameColumn, QHeaderView::Stretch);
     m_risk->setObjectName(u"warning"_s);
     m_risk->setWordWrap(true);
-    m_risk->setText(tr("⚠ Some of these values are in the risk class. They act at once where motors run, "
-                       "otherwise when they start: hold the camera, or take it off."));
-
+    m_riskText = tr("⚠ Some of these values are in the risk class. They act at once where motors run, "
+                    "otherwise when they start: hold the camera, or take it off.");
     m_doubts->setWordWrap(true);
     m_effect->setWordWrap(true);
     m_othersText->setObjectName(u"warning"_s);
@@ -168,8 +168,31 @@ void ReviewDialog::setFlies(bool flies)
 {
     if (!flies)
         return;
-    m_risk->setText(tr("⚠ Some of these values are in the risk class: with a wrong one the drone swings at "
-                       "once when it is armed. Try them with the propellers off, or in a test stand."));
+    m_riskText = tr("⚠ Some of these values are in the risk class: with a wrong one the drone swings at "
+                    "once when it is armed. Try them with the propellers off, or in a test stand.");
+    updateButton();
+}
+
+void ReviewDialog::setTextLeaps(const std::vector<ParameterChange> &leaps)
+{
+    m_textLeaps = leaps;
+    updateButton();
+}
+
+QString ReviewDialog::riskText() const
+{
+    return m_risk->text();
+}
+
+// Whoever has slipped by a digit sees it here at the latest.
+QString ReviewDialog::leapsText() const
+{
+    auto leaps = m_changes.tickedLeaps();
+    leaps.insert(leaps.end(), m_textLeaps.begin(), m_textLeaps.end());
+    QStringList texts;
+    for (const ParameterChange &leap : leaps)
+        texts.append(leapText(leap));
+    return texts.join(u'\n');
 }
 
 void ReviewDialog::setDoubtsOf(const DoubtsOf &doubtsOf)
@@ -221,8 +244,11 @@ void ReviewDialog::updateButton()
     m_effect->setText(effects.join(u' '));
     m_effect->setVisible(!effects.isEmpty());
     updateOthers();
-    m_risk->setVisible(m_changes.hasTickedRed());
-    const bool red = showDoubts() || m_changes.hasTickedRed();
+    const bool isRed = m_changes.hasTickedRed();
+    const QString leaps = leapsText();
+    m_risk->setText(leaps.isEmpty() ? m_riskText : leaps + u'\n' + m_riskText);
+    m_risk->setVisible(isRed);
+    const bool red = showDoubts() || isRed;
     m_write->setDefault(!red);  // what may start motors the wrong way takes more than one key
     m_write->setObjectName(red ? u"danger"_s : u"primary"_s);
     repolish(m_write);

@@ -33,6 +33,8 @@ public:
     /// Tells what speaks against the texts of a configuration; asked for those that are written.
     using DoubtsOf = std::function<std::vector<ScriptMistake>(const Configuration &)>;
     void setDoubtsOf(const DoubtsOf &doubtsOf);
+    /// Leaps (isLeap()) that a text which changes brings, and that no row tells.
+    void setTextLeaps(const std::vector<ParameterChange> &leaps);
     /// The configuration with the ticked changes.
     [[nodiscard]] Configuration chosen() const { return m_changes.ticked(); }
     /// What becomes of values in use that are not among them.
@@ -44,9 +46,12 @@ public:
     /// What is said of the texts that are written.
     [[nodiscard]] QString doubts() const;
     [[nodiscard]] QPushButton *writeButton() const { return m_write; }
+    /// What is said of dangerous values, also where it is not shown.
+    [[nodiscard]] QString riskText() const;
 
 private:
     void updateButton();
+    [[nodiscard]] QString leapsText() const;
     void updateOthers();
     /// Returns whether there are doubts.
     bool showDoubts();
@@ -58,6 +63,8 @@ private:
     QLabel *m_risk;
     DoubtsOf m_doubtsOf;
     QLabel *m_doubts;
+    QString m_riskText;  // what the risk class means
+    std::vector<ParameterChange> m_textLeaps;
     LiveValues m_live;
     bool m_areReplaced = false;
     QLabel *m_othersText;

@@ -3,6 +3,7 @@
 #include "widgets/models/adjustablemodel.h"
 
 #include "protocol/client/whendone.h"
+#include "protocol/configuration/leap.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 
@@ -172,18 +173,35 @@ bool AdjustableModel::setData(const QModelIndex &index, const QVariant &value, i
                      0});
         return false;
     }
-    whenDone(m_client.submit<bool>([id = spec.id, wanted](Channel &channel, Device &device) -> Result<bool> {
-        const auto done = device.live()->writeAdjustables(channel, {{id, wanted}});
+    const ParameterSpec *behind = m_behind[std::size_t(index.row())];
+    if (const double now = m_values[std::size_t(index.row())].value_or(0);
+        behind && isLeap(*behind, behind->rawOf(now), behind->rawOf(wanted))) {
+        emit leapt({behind, 0, behind->rawOf(now), behind->rawOf(wanted)});
+        return false;
+    }
+    write(spec.id, wanted);
+    return true;
+}
+
+void AdjustableModel::agree(const ParameterChange &change)
+{
+    if (!m_held)
+        write(change.spec->adjustable, change.to * change.spec->row->adjustableScale);
+}
+
+void AdjustableModel::write(int id, double value)
+{
+    whenDone(m_client.submit<bool>([id, value](Channel &channel, Device &device) -> Result<bool> {
+        const auto done = device.live()->writeAdjustables(channel, {{id, value}});
         return done ? Result<bool>(true) : tl::unexpected(done.error());
     }),
-             this, [this, id = spec.id, wanted](const Result<bool> &done) {
+             this, [this, id, value](const Result<bool> &done) {
                  if (!done)
                      emit failed(done.error());
                  else
-                     emit written(id, wanted);
+                     emit written(id, value);
                  refresh();  // the value that the board accepted
              });
-    return true;
 }
 
 Qt::ItemFlags AdjustableModel::flags(const QModelIndex &index) const

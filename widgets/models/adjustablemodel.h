@@ -35,15 +35,21 @@ public:
     /// The first cell with a text that is no value; invalid without one.
     [[nodiscard]] QModelIndex refusedCell() const;
     [[nodiscard]] QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+    /// Not where it is a leap (isLeap()) from what is in use: leapt() tells of it then.
     bool setData(const QModelIndex &index, const QVariant &value, int role = Qt::EditRole) override;
+    /// Sets what stands behind a variable, leap or not: the operator has been asked.
+    void agree(const ParameterChange &change);
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
 
 signals:
     void failed(const Error &error);
     /// A value was set and confirmed.
     void written(int id, double value);
+    /// It is not set unless agree() follows.
+    void leapt(const ParameterChange &change);
 
 private:
+    void write(int id, double value);
     [[nodiscard]] int rows() const override { return int(m_specs.size()); }
     /// Whole numbers, unless the parameter behind it is a float.
     [[nodiscard]] bool isFloat(int row) const;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/changemodel.h"
 
+#include "protocol/configuration/leap.h"
 #include "protocol/configuration/linediff.h"
 #include "widgets/models/parametermodel.h"
 
@@ -19,14 +20,19 @@ ChangeModel::ChangeModel(Configuration board, Configuration edited, QObject *par
 {
     for (const ParameterChange &change : m_board.changesTo(m_edited))
         m_rows.push_back({change, {}, true});
-    std::stable_partition(m_rows.begin(), m_rows.end(),
-                          [](const Row &row) { return row.change.spec->row->risk == Risk::Red; });
+    std::stable_partition(m_rows.begin(), m_rows.end(), [this](const Row &row) { return isRed(row); });
     for (const DataChange &change : m_board.dataChangesTo(m_edited))
         m_rows.push_back({{nullptr, change.key.profile, 0, 0}, change, true, linesText(change)});
     for (int profile = 0; profile < m_board.identity().profileCount; ++profile) {
         if (m_board.profileNames().value(profile) != m_edited.profileNames().value(profile))
             m_rows.push_back({{nullptr, profile, 0, 0}, {}, true});
     }
+}
+
+bool ChangeModel::isRed(const Row &row) const
+{
+    return row.change.spec ? row.change.spec->row->risk == Risk::Red
+                           : row.data.spec && isOfRiskClass(m_board.parameters(), *row.data.spec);
 }
 
 QString ChangeModel::linesText(const DataChange &change) const
@@ -46,15 +52,16 @@ QVariant ChangeModel::data(const QModelIndex &index, int role) const
     if (role == Qt::CheckStateRole && index.column() == NameColumn)
         return row.ticked ? Qt::Checked : Qt::Unchecked;
     if (role == RedRole)
-        return spec && spec->row->risk == Risk::Red;
+        return isRed(row);
     if (role == Qt::ToolTipRole && spec)
         return tableText(spec->row->help);
     if (role == Qt::TextAlignmentRole && index.column() >= BoardColumn)
         return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     if (role != Qt::DisplayRole)
         return {};
+    const QString mark = isRed(row) ? u"⚠ "_s : QString();
     if (row.data.spec && index.column() != ProfileColumn) {
-        return index.column() == NameColumn ? tableText(row.data.spec->data)
+        return index.column() == NameColumn ? mark + tableText(row.data.spec->data)
             : index.column() == BoardColumn
             ? (m_board.findMissing(row.data.key) ? unknownText() : tr("as on the board"))
             : row.lines.isEmpty() ? tr("changed")
@@ -64,8 +71,7 @@ QVariant ChangeModel::data(const QModelIndex &index, int role) const
     case NameColumn:
         if (!spec)
             return tr("Profile name");
-        return (spec->row->risk == Risk::Red ? u"⚠ "_s : QString()) + tableText(spec->row->group) + u" · "_s
-            + parameterLabel(*spec);
+        return mark + tableText(spec->row->group) + u" · "_s + parameterLabel(*spec);
     case ProfileColumn:
         if (spec && spec->row->scope == Scope::Board)
             return tr("All profiles");
@@ -125,9 +131,18 @@ int ChangeModel::tickedProfiles() const
 
 bool ChangeModel::hasTickedRed() const
 {
-    return std::any_of(m_rows.begin(), m_rows.end(), [](const Row &row) {
-        return row.ticked && row.change.spec && row.change.spec->row->risk == Risk::Red;
-    });
+    return std::any_of(m_rows.begin(), m_rows.end(),
+                       [this](const Row &row) { return row.ticked && isRed(row); });
+}
+
+std::vector<ParameterChange> ChangeModel::tickedLeaps() const
+{
+    std::vector<ParameterChange> changes;
+    for (const Row &row : m_rows) {
+        if (row.ticked && row.change.spec)
+            changes.push_back(row.change);
+    }
+    return leapsAmong(changes);
 }
 
 bool ChangeModel::hasTickedText() const

@@ -23,6 +23,8 @@ public:
     [[nodiscard]] int tickedCount() const;
     [[nodiscard]] int tickedProfiles() const;
     [[nodiscard]] bool hasTickedRed() const;
+    /// Those that are leaps (isLeap()).
+    [[nodiscard]] std::vector<ParameterChange> tickedLeaps() const;
     /// Whether writing what is ticked does this.
     [[nodiscard]] bool hasTicked(WriteEffect effect) const;
     /// Whether a text is among what is ticked.
@@ -34,8 +36,6 @@ signals:
     void ticksChanged();
 
 private:
-    [[nodiscard]] QString linesText(const DataChange &change) const;
-    [[nodiscard]] int rows() const override { return int(m_rows.size()); }
     struct Row
     {
         ParameterChange change;  // spec is null for a profile's name, and for data
@@ -43,6 +43,9 @@ private:
         bool ticked = true;
         QString lines = {};  // of a text: how many change
     };
+    [[nodiscard]] bool isRed(const Row &row) const;
+    [[nodiscard]] QString linesText(const DataChange &change) const;
+    [[nodiscard]] int rows() const override { return int(m_rows.size()); }
     Configuration m_board;  // copies: reconnecting must not change the values during a review
     Configuration m_edited;
     std::vector<Row> m_rows;

@@ -3,6 +3,7 @@
 #include "widgets/models/livemodel.h"
 
 #include "protocol/client/whendone.h"
+#include "protocol/configuration/leap.h"
 #include "protocol/device/abilities.h"
 
 #include <algorithm>
@@ -68,6 +69,7 @@ void LiveModel::reset()
     if (key != std::exchange(m_boardKey, key)) {
         m_values.clear();
         m_own.clear();
+        m_agreed.clear();
         m_other.clear();
         m_otherKnown = false;
         m_doubted.clear();
@@ -202,8 +204,29 @@ void LiveModel::setValue(int parameter, double raw)
     const double wanted = std::clamp(spec(parameter).nearest(raw), low, high);
     if (!spec(parameter).accepts(wanted) && !sameValue(stored(parameter), wanted))
         return;
+    if (isLeap(spec(parameter), usual(parameter), wanted)) {
+        emit leapt({&spec(parameter), 0, usual(parameter), wanted});
+        emit valueChanged(parameter);  // whoever shows it shows what is in use
+        return;
+    }
     choose(parameter, wanted);
     flush();
+}
+
+void LiveModel::agree(int parameter, double raw)
+{
+    m_agreed.insert(parameter, raw);
+    setValue(parameter, raw);
+}
+
+// Many small steps up are one large one: what was set here by itself is no measure.
+double LiveModel::usual(int parameter) const
+{
+    const double used = m_own.contains(parameter) ? 0 : value(parameter).value_or(0);
+    double most = 0;
+    for (const double each : {used, stored(parameter).value_or(0), m_agreed.value(parameter, 0)})
+        most = std::isfinite(each) ? std::max(most, std::abs(each)) : most;
+    return most;
 }
 
 void LiveModel::setValues(const QHash<int, double> &values)

@@ -55,7 +55,10 @@ public:
     void read();
     /// Forgets what is in use: the board has loaded a profile anew.
     void forget();
+    /// Not where it is a leap (isLeap()) from what the board had, or what was agreed to: leapt() tells then.
     void setValue(int parameter, double raw);
+    /// Puts it into use, leap or not: the operator has been asked.
+    void agree(int parameter, double raw);
     /// Puts into use what an operation has found: goes out in any case.
     void setValues(const QHash<int, double> &values);
     /// Puts back what a write has replaced: goes out in any case, and is no change that could be taken back.
@@ -88,6 +91,8 @@ signals:
     /// Another board or profile: all values are new.
     void modelReset();
     void valueChanged(int parameter);
+    /// It is not put into use unless agree() follows.
+    void leapt(const ParameterChange &change);
     void changeCountChanged(int count);
     void slotChanged();
     void heldChanged(bool held);
@@ -112,6 +117,7 @@ private:
     void recount();
     void tellDoubted(const Values &doubted);
     [[nodiscard]] const ParameterSpec &spec(int parameter) const;
+    [[nodiscard]] double usual(int parameter) const;
     [[nodiscard]] int variableOf(int parameter) const;
     [[nodiscard]] Values tuned() const;
     [[nodiscard]] LiveValues unsavedOf(const std::function<bool(int)> &isMeant) const;
@@ -125,6 +131,7 @@ private:
     Values m_wanted;  // waiting to be written
     QSet<int> m_back;  // those of them that were in use before
     QSet<int> m_own;  // put into use here, and found so since
+    Values m_agreed;
     QList<int> m_sent;  // since everything was settled last
     struct Step
     {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/tune/variablespage.h"
 
+#include "app/workspace/question.h"
 #include "widgets/forms/filtertable.h"
 #include "widgets/forms/typingkeeper.h"
 
@@ -54,6 +55,9 @@ VariablesPage::VariablesPage(Workspace &workspace, QWidget *parent)
     connect(&m_model, &AdjustableModel::failed, this, [this](const Error &error) {
         if (!isEndOfLink(error))
             this->workspace().notifications().report(error);
+    });
+    connect(&m_model, &AdjustableModel::leapt, this, [this](const ParameterChange &change) {
+        askAboutLeap(this->workspace(), change, this, [this, change] { m_model.agree(change); });
     });
     connect(&m_model, &AdjustableModel::written, &workspace.live(), &LiveModel::read);
     connect(save, &QPushButton::clicked, this, &VariablesPage::save);
