@@ -56,8 +56,7 @@ ArmedState::State flightState(const Workspace &workspace)
 
 QByteArray axesKey(const Workspace &workspace)
 {
-    const DeviceClient &client = workspace.client();
-    const Device *device = client.isConnected() ? client.device() : nullptr;
+    const Device *device = workspace.isBoardRead() ? workspace.client().device() : nullptr;
     const ConfigurationModel &shown = workspace.configuration();
     return device && device->flight() && !shown.isEmpty() ? device->flight()->axesKey(shown.board())
                                                           : QByteArray();

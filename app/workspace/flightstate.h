@@ -18,7 +18,7 @@ class Workspace;
 /// When a channel was told last to be 0, not before `since`; TimePoint{}: it was not.
 [[nodiscard]] TimePoint lastToldZero(const Workspace &workspace, int channel, TimePoint since);
 /// What decides how the board shown counts its axes (FlyingMachine::axesKey); empty: nothing flies, or
-/// nothing was read.
+/// nothing was read on this connection.
 [[nodiscard]] QByteArray axesKey(const Workspace &workspace);
 /// What a check of its directions has found, if there was one since that has changed.
 [[nodiscard]] CheckedDirections checkedDirections(Workspace &workspace);

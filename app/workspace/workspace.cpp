@@ -171,6 +171,7 @@ void Workspace::connectTo(const LinkAddress &address, const QString &family)
 void Workspace::onState(DeviceClient::State state)
 {
     followMotors(state);
+    m_unread = true;
     if (state != DeviceClient::State::Connected) {
         m_confirmations.forget();
         if (state == DeviceClient::State::Disconnected && std::exchange(m_stopWhenConnected, false)) {
@@ -188,7 +189,6 @@ void Workspace::onState(DeviceClient::State state)
         m_client.motorsOff();
     m_writer.beginLink();
     m_reading = false;
-    m_unread = true;
     m_framesHeard.reset();
     m_rereads = 0;
     m_storedKnown = false;

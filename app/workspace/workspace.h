@@ -74,6 +74,8 @@ public:
     void connectTo(const LinkAddress &address, const QString &family = {});
     /// Reads everything; edits are kept where the board is the same one.
     void readBoard();
+    /// What is shown as the board's was read on this connection: before that it is that of the one before.
+    [[nodiscard]] bool isBoardRead() const { return m_client.isConnected() && !m_unread; }
     /// Writes what differs between the board and this, verified, with a snapshot before the first write.
     void write(const Configuration &wanted, OtherValues others = OtherValues::Keep);
     /// Values in use that a write would store as well, were they not kept apart: on boards that can only

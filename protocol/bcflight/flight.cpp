@@ -116,8 +116,10 @@ const char *Device::refusal() const
 
 QByteArray Device::axesKey(const Configuration &configuration) const
 {
-    QByteArray text = configuration.block({0, ConfigurationText});
-    if (text.isEmpty())
+    constexpr BlockKey kText{0, ConfigurationText};
+    QByteArray text = configuration.block(kText);
+    // One that did not come this time is shown as it was read before.
+    if (text.isEmpty() || configuration.findMissing(kText))
         return {};
     for (const QString &name : {u"pid_roll"_s, u"pid_pitch"_s, u"pid_yaw"_s}) {
         const auto gains = findGains(text, name);

@@ -69,6 +69,7 @@ private slots:
     void whatItLacksIsAClickAway();
     void messagesLeaveItsStateInSight();
     void checkedIsADroneThatIsKnown();
+    void checkIsOfWhatWasReadNow();
     void lookalikeIsAskedAbout();
     void replaysStartNoMotors();
     void anotherIsConnectedAfterOneWasLost();
@@ -409,6 +410,26 @@ void TestBcflightWindow::checkedIsADroneThatIsKnown()
     QCOMPARE(checkedDirections(m_rig->workspace()), all);
     QVERIFY(m_rig->workspace().naming().choose(u"Another"_s));
     QCOMPARE(checkedDirections(m_rig->workspace()).level, CheckedDirections::Level::Nothing);
+}
+
+// Until it has been read the configuration of the drone before is shown.
+void TestBcflightWindow::checkIsOfWhatWasReadNow()
+{
+    const SimProcess one({u"--udp"_s, u"0"_s, u"--seed"_s, u"7"_s}, u"bcflight"_s);
+    const SimProcess other({u"--udp"_s, u"0"_s, u"--seed"_s, u"8"_s}, u"bcflight"_s);
+    QVERIFY(m_rig->open(one.address()));
+    QTRY_VERIFY_WITH_TIMEOUT(!axesKey(m_rig->workspace()).isEmpty(), kPatience);
+    m_rig->client().disconnectFromBoard();
+    std::optional<QByteArray> early;
+    connect(&m_rig->client(), &DeviceClient::stateChanged, this, [&](DeviceClient::State state) {
+        if (state == DeviceClient::State::Connected)
+            early = axesKey(m_rig->workspace());
+    });
+    QVERIFY(m_rig->open(other.address()));
+    QTRY_VERIFY_WITH_TIMEOUT(early.has_value(), kPatience);
+    QCOMPARE(*early, QByteArray());
+    QTRY_VERIFY_WITH_TIMEOUT(!axesKey(m_rig->workspace()).isEmpty(), kPatience);
+    m_rig->client().disconnect(this);
 }
 
 // It inherits the name, and neither the check nor, unasked, the snapshots.

@@ -95,7 +95,7 @@ DirectionCard::DirectionCard(Workspace &workspace, QWidget *parent)
         keepDirectionsByName(m_workspace);
         show();
     });
-    connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, [this] { show(); });
+    connect(&workspace, &Workspace::boardRead, this, [this] { show(); });
     show();
 }
 
