@@ -7,13 +7,6 @@
 
 using namespace Qt::StringLiterals;
 
-namespace {
-
-// A drone needs longer to start: one that is back by then was not exchanged for another.
-constexpr auto kShortLoss = 10s;
-
-}  // namespace
-
 BoardNaming::BoardNaming(DeviceClient &client, BoardHistory &history, EditJournal &journal,
                          Notifications &notifications)
     : m_client(client)
@@ -33,20 +26,12 @@ void BoardNaming::forgetWord()
 
 void BoardNaming::onState(DeviceClient::State state)
 {
-    if (state == DeviceClient::State::Connecting) {
+    // Another one may answer at the same address after the shortest gap, and nothing that a board without a
+    // number tells proves that it is the one before.
+    const bool isOrdered = m_client.loss() == DeviceClient::Loss::OrderedRestart;
+    if (state == DeviceClient::State::Connecting
+        || (state == DeviceClient::State::Reconnecting && !isOrdered))
         forgetWord();
-        m_lostAt.reset();
-    }
-    if (state == DeviceClient::State::Reconnecting && !m_lostAt)
-        m_lostAt = Clock::now();
-    if (state == DeviceClient::State::Connected) {
-        const auto lostAt = std::exchange(m_lostAt, std::nullopt);
-        const DeviceClient::Loss loss = m_client.loss();
-        const bool isSameLink = loss == DeviceClient::Loss::OrderedRestart
-            || (loss == DeviceClient::Loss::Link && lostAt && Clock::now() - *lostAt < kShortLoss);
-        if (lostAt && !isSameLink)
-            forgetWord();
-    }
     if (state != DeviceClient::State::Connected || m_client.address().isReplay())
         return;
     if (const auto names = m_history.checkNames(); !names)

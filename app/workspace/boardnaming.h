@@ -23,7 +23,7 @@ public:
     /// The boards of its family that have a name, those that look like it first.
     [[nodiscard]] QStringList names() const;
     /// It is the board that it is taken for: by its number, or by the operator's word since this connection
-    /// was made. A short loss of the link and a restart on purpose leave that as it is.
+    /// was made. Only a restart that was ordered from here leaves that as it is, no loss of the link does.
     [[nodiscard]] bool isCertain() const;
     /// By what something that is dangerous with another board is kept about this one: its number, or its look
     /// and the name that the operator has given it. Empty: it may be any that looks like it.
@@ -58,7 +58,6 @@ private:
     Notifications &m_notifications;
     bool m_asked = false;
     bool m_isSaid = false;  // since this connection was made: which board it is
-    std::optional<TimePoint> m_lostAt;
     QHash<QByteArray, QByteArray> m_passing;
     QSet<QString> m_later;  // boards about which it is not asked again
 };

@@ -70,6 +70,7 @@ private slots:
     void messagesLeaveItsStateInSight();
     void checkedIsADroneThatIsKnown();
     void checkIsOfWhatWasReadNow();
+    void exchangedDroneIsAskedAbout();
     void lookalikeIsAskedAbout();
     void replaysStartNoMotors();
     void anotherIsConnectedAfterOneWasLost();
@@ -432,6 +433,30 @@ void TestBcflightWindow::checkIsOfWhatWasReadNow()
     m_rig->client().disconnect(this);
 }
 
+// Another machine answers at the same address after a short gap, and nothing tells the two apart.
+void TestBcflightWindow::exchangedDroneIsAskedAbout()
+{
+    auto drone = std::make_unique<SimProcess>(QStringList{u"--udp"_s, u"0"_s}, u"bcflight"_s);
+    const QString address = drone->address();
+    const auto isRead = [this] { return !axesKey(m_rig->workspace()).isEmpty(); };
+    QVERIFY(m_rig->open(address));
+    QTRY_VERIFY_WITH_TIMEOUT(isRead(), kPatience);
+    auto *flight = m_rig->page<FlightPage>();
+    QVERIFY(flight && m_rig->workspace().naming().choose(u"Mine"_s));
+    CheckedDirections all;
+    all.level = CheckedDirections::Level::All;
+    keepDirections(m_rig->workspace(), all);
+    QCOMPARE(checkedDirections(m_rig->workspace()), all);
+    drone.reset();
+    drone = std::make_unique<SimProcess>(QStringList{u"--udp"_s, address.section(u':', -1)}, u"bcflight"_s);
+    QCOMPARE(drone->address(), address);
+    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Reconnecting, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && isRead(), kPatience);
+    QVERIFY(!m_rig->workspace().naming().isCertain());
+    QCOMPARE(checkedDirections(m_rig->workspace()).level, CheckedDirections::Level::Nothing);
+    QTRY_VERIFY_WITH_TIMEOUT(flight->directions()->sameButton()->isVisible(), kPatience);
+}
+
 // It inherits the name, and neither the check nor, unasked, the snapshots.
 void TestBcflightWindow::lookalikeIsAskedAbout()
 {
@@ -469,7 +494,6 @@ void TestBcflightWindow::lookalikeIsAskedAbout()
     keepDirections(m_rig->workspace(), reversed);
     QCOMPARE(checkedDirections(m_rig->workspace()), reversed);
 
-    // A short loss of the link changes nothing, another drone does.
     QVERIFY(connected(one));
     QCOMPARE(presumedDirections(m_rig->workspace()).found, all);
     QTRY_VERIFY_WITH_TIMEOUT(flight->directions()->sameButton()->isVisible(), kPatience);
