@@ -30,6 +30,7 @@ struct CommandContext
     BoardHistory history;
     bool json = false;
     QStringList arguments;  ///< words after the command's name
+    bool isBoardSaid = false;  ///< the operator has said which board it is
     SupervisorRules rules{};
     /// Links::offerVideo.
     std::function<Result<quint16>(const LinkAddress &)> offerVideo = {};

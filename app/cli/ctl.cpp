@@ -184,6 +184,7 @@ std::optional<int> Ctl::takeCommand(const QCommandLineParser &parser)
     if (parser.isSet(u"history"_s))
         m_context.history = BoardHistory(parser.value(u"history"_s));
     m_board = parser.value(u"board"_s);
+    m_context.isBoardSaid = !m_board.isEmpty();
     if (const auto taken = takeOptions(parser); !taken)
         return wrong(taken.error().detail);
     QString problem = m_command->wordMistake();

@@ -347,6 +347,8 @@ public:
             outcome->note = othersText(device, options, namesIn(*file));
             outcome->note += replaced;
         } else {
+            if (const auto same = checkSaid(device.identity(), device.flight()); !same)
+                return tl::unexpected(same.error());
             if (const auto clear = checkLeaps(*base, edited, m_areLeapsConfirmed); !clear)
                 return tl::unexpected(clear.error());
             if (!replaced.isEmpty())
@@ -370,6 +372,17 @@ public:
     }
 
 private:
+    // What fits one drone can make another one that looks the same turn over.
+    [[nodiscard]] Result<void> checkSaid(const BoardIdentity &identity, bool flies) const
+    {
+        const bool isKnown = identity.isNumbered() || context().isBoardSaid;
+        if (isKnown || (!flies && history().nameOf(identity.serial).isEmpty()))
+            return {};
+        return failure(ErrorCode::InvalidArgument,
+                       u"this board has no serial number and may be another one than that of the file: say "
+                       "with --board NAME which one it is"_s);
+    }
+
     bool m_dryRun = false;
     bool m_partial = false;
     bool m_areLeapsConfirmed = false;

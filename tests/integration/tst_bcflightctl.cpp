@@ -26,6 +26,7 @@ private slots:
     void theDayOfADrone();
     void theDayOverALossyNetwork();
     void manyTimesAsMuchIsConfirmed();
+    void lookalikeIsNotWrittenToUnasked();
     void anotherGroundIsTold();
     void stopIsSentBeforeItIsKnown();
     void theLinkIsMeasured();
@@ -148,12 +149,34 @@ void TestBcflightCtl::manyTimesAsMuchIsConfirmed()
     QCOMPARE(ctl(link + QStringList{u"set"_s, u"pid.roll.p=0.504"_s, u"--confirmed"_s}).exitCode, 0);
     QCOMPARE(ctl(link + QStringList{u"dump"_s, path(u"far.json"_s)}).exitCode, 0);
     QCOMPARE(ctl(link + QStringList{u"set"_s, u"pid.roll.p="_s + before}).exitCode, 0);
-    const QStringList apply{u"apply"_s, path(u"far.json"_s)};
+    const QStringList apply{u"--board"_s, u"Mine"_s, u"apply"_s, path(u"far.json"_s)};
     QVERIFY(ctl(link + apply).exitCode != 0);
     QCOMPARE(gain(), before);
     QCOMPARE(ctl(link + apply + QStringList{u"--dry-run"_s}).exitCode, 0);
     QCOMPARE(ctl(link + apply + QStringList{u"--confirmed"_s}).exitCode, 0);
     QVERIFY(gain().startsWith(u"0.504"_s));
+}
+
+// What fits one drone can make another one that looks the same turn over.
+void TestBcflightCtl::lookalikeIsNotWrittenToUnasked()
+{
+    const SimProcess one({u"--udp"_s, u"0"_s, u"--seed"_s, u"7"_s}, u"bcflight"_s);
+    const SimProcess other({u"--udp"_s, u"0"_s, u"--seed"_s, u"8"_s}, u"bcflight"_s);
+    const QStringList toOne{u"--link"_s, one.address()};
+    const QStringList toOther{u"--link"_s, other.address()};
+    const QStringList gain{u"get"_s, u"pid.roll.p"_s};
+    QCOMPARE(ctl(toOne + QStringList{u"--board"_s, u"quad one"_s, u"set"_s, u"pid.roll.p=0.0018"_s}).exitCode,
+             0);
+    QCOMPARE(ctl(toOne + QStringList{u"dump"_s, path(u"one.json"_s)}).exitCode, 0);
+    const QString before = ctl(toOther + gain).out;
+    const QStringList apply{u"apply"_s, path(u"one.json"_s)};
+    const Run unsaid = ctl(toOther + apply);
+    QVERIFY2(unsaid.exitCode != 0 && unsaid.err.contains(u"may be another one than that of the file"_s),
+             qPrintable(unsaid.err));
+    QCOMPARE(ctl(toOther + gain).out, before);
+    QCOMPARE(ctl(toOther + apply + QStringList{u"--dry-run"_s}).exitCode, 0);
+    QCOMPARE(ctl(toOther + QStringList{u"--board"_s, u"quad two"_s} + apply).exitCode, 0);
+    QVERIFY(ctl(toOther + gain).out.startsWith(u"0.0018"_s));
 }
 
 // One packet of twenty is lost on each way: everything works, or is said not to have worked.
