@@ -21259,6 +21259,7 @@ Spitze %2°</translation>
         <translation>Was an allen Eingängen ankommt, ob ihnen eine Funktion zugeordnet ist oder nicht. Firmware vor 2.60 meldet nur die, die eine haben.</translation>
     </message>
     <message>
+<<<<<<< HEAD
         <source>A motor is hot: let it cool, and see on the page Monitor how warm it gets with the power that it has now.</source>
         <translation>Ein Motor ist heiß: lassen Sie ihn abkühlen, und sehen Sie auf der Seite Monitor, wie warm er mit der Leistung wird, die er jetzt hat.</translation>
     </message>
@@ -21305,6 +21306,10 @@ Spitze %2°</translation>
     <message>
         <source>Still held with a power of</source>
         <translation>Noch gehalten mit einer Leistung von</translation>
+=======
+        <source>Nothing in the file shows that it is a program for a drone. A drone whose program does not start cannot be reached any more.</source>
+        <translation>Nichts an der Datei zeigt, dass sie ein Programm für eine Drohne ist. Eine Drohne, deren Programm nicht startet, ist nicht mehr zu erreichen.</translation>
+>>>>>>> 230085a (Firmware: what cannot be one is refused, what shows nothing is told)
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/actioncommand.h"
 
+#include "protocol/device/flight.h"
 #include "protocol/procedure/motorsnow.h"
 #include "protocol/procedure/safeaction.h"
 
@@ -112,6 +113,8 @@ Result<CommandOutcome> ActionCommand::run(Channel &channel, Device &device)
     const auto arguments = parseArguments(*action, *texts);
     if (!arguments)
         return tl::unexpected(arguments.error());
+    if (const char *doubt = device.flight() ? device.flight()->doubt(actionKey(), *arguments) : ""; *doubt)
+        emit told(QString::fromUtf8(doubt));
     if (*action->confirm && !m_confirmed) {
         return failure(ErrorCode::InvalidArgument,
                        u"%1 has to be confirmed with --confirmed each time: \"%2\""_s.arg(

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workspace/confirmations.h"
 
+#include "protocol/device/device.h"
+#include "protocol/device/flight.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "widgets/models/parametermodel.h"
 
@@ -66,6 +68,10 @@ QFuture<Confirmations::Outcome> Confirmations::ask(const ActionSpec &action, con
         question.whole = text;
     }
     said.append(tableText(action.help));
+    const FlyingMachine *machine = m_client.device() ? m_client.device()->flight() : nullptr;
+    const char *doubt = machine ? machine->doubt(QLatin1String(action.key), arguments) : "";
+    if (*doubt)
+        said.append(tableText(doubt));
     if (action.silence > 0ms)
         said.append(tr("Nothing stops it meanwhile, neither “STOP MOTORS” nor F12: only taking its battery "
                        "away does."));

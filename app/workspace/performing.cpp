@@ -65,9 +65,12 @@ QFuture<Result<ActionOutcome>> Workspace::performNow(const QString &key, const Q
     m_unstoppable = action.silence > 0ms ? &*it : m_unstoppable;
     if (action.risk != ActionRisk::Safe)
         forgetStop();
-    // Before it begins: whether it comes to its end may never be known.
-    if (action.risk == ActionRisk::Destroys && !axesKey(*this).isEmpty())
-        dropDirections(*this);
+    // From then on it may run another program; whether that comes to its end may never be known.
+    const auto dropsDirections
+        = connect(&m_client, &DeviceClient::progressChanged, this, [this](const Progress &progress) {
+              if (progress.step == u"firmware-restart"_s)
+                  dropDirections(*this);
+          });
     if (action.isProcedure)
         m_live.hold();
     return endWhatGoesOn(
@@ -79,7 +82,9 @@ QFuture<Result<ActionOutcome>> Workspace::performNow(const QString &key, const Q
                    },
                    action.isProcedure ? DeviceClient::JobKind::Moving : DeviceClient::JobKind::Quiet))
         .then(this,
-              [this, quiet, action, isWork, before = m_live.unsaved()](const Result<ActionOutcome> &outcome) {
+              [this, quiet, action, isWork, dropsDirections,
+               before = m_live.unsaved()](const Result<ActionOutcome> &outcome) {
+                  disconnect(dropsDirections);
                   if (action.isProcedure)
                       m_live.release();
                   if (action.silence > 0ms)

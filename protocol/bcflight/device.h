@@ -68,6 +68,7 @@ public:
     [[nodiscard]] QByteArray axesKey(const Configuration &configuration) const override;
     [[nodiscard]] std::vector<ScriptMistake> doubts(const Configuration &configuration) const override;
     [[nodiscard]] const char *calibration() const override { return "calibrate.all"; }
+    [[nodiscard]] const char *doubt(const QString &action, const QVariantMap &arguments) const override;
     Result<void> checkMayTake(Channel &channel, const RawCommand &command) override;
     Result<bool> askArmed(Channel &channel) override;
     void setHeld(bool held) override { m_isHeld = held; }

@@ -11,7 +11,10 @@
 #include "protocol/bcflight/messages.h"
 #include "protocol/session/channel.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
+#include <cctype>
 
 using namespace Qt::StringLiterals;
 
@@ -21,11 +24,14 @@ namespace {
 
 constexpr qint64 kLargestImage = 4194304;  // offset and size of each piece lie below 4 MiB
 
-/// How files begin that no drone runs: its program is taken as it is.
+constexpr qint64 kSmallestImage = 1024;  // no program is smaller that flies
+
+/// What files that no drone runs have at one place: its program is taken as it is.
 struct OtherFile
 {
-    QByteArrayView begin;
+    QByteArrayView mark;
     const char *what;
+    qsizetype at = 0;
 };
 constexpr OtherFile kOtherFiles[] = {{"PK\x03\x04", "a ZIP archive: unpack it"},
                                      {"\x1F\x8B", "packed by gzip: unpack it"},
@@ -33,17 +39,82 @@ constexpr OtherFile kOtherFiles[] = {{"PK\x03\x04", "a ZIP archive: unpack it"},
                                       "7zXZ",
                                       "packed by xz: unpack it"},
                                      {"BZh", "packed by bzip2: unpack it"},
+                                     {"\x28\xB5\x2F\xFD", "packed by zstd: unpack it"},
                                      {"7z\xBC\xAF", "a 7z archive: unpack it"},
+                                     {"Rar!", "a RAR archive: unpack it"},
+                                     {"ustar", "a tar archive: unpack it", 257},
                                      {"!<arch>", "an archive: unpack it"},
                                      {"%PDF", "a PDF document"},
+                                     {"\xD0\xCF\x11\xE0", "an office document"},
+                                     {"SQLite format 3", "a database"},
                                      {"\x89PNG", "a picture"},
                                      {"\xFF\xD8\xFF", "a picture"},
+                                     {"GIF8", "a picture"},
+                                     {"II*", "a picture"},
+                                     {"RIFF", "a picture, a sound or a video"},
+                                     {"ID3", "a sound"},
+                                     {"OggS", "a sound or a video"},
+                                     {"ftyp", "a video", 4},
                                      {"\x1A\x45\xDF\xA3", "a video"},
+                                     {"MZ", "a program for Windows"},
+                                     {"\xCF\xFA\xED\xFE", "a program for macOS"},
+                                     {"\xCA\xFE\xBA\xBE", "a program for macOS or for Java"},
+                                     {"UF2\n", "a program for a microcontroller"},
                                      {"GIMBALREC", "a recording"},
                                      {"{", "a text in JSON"},
                                      {"--", "a text in Lua"},
                                      {":", "a text in Intel HEX: the drone takes the bytes themselves"},
                                      {"<", "a text in XML or HTML"}};
+
+/// The head of a program for Linux (ELF).
+constexpr QByteArrayView kElf("\x7F"
+                              "ELF");
+constexpr qsizetype kElfType = 16;
+constexpr qsizetype kElfMachine = 18;
+constexpr int kExecutable = 2;
+constexpr int kShared = 3;
+constexpr int kIntel = 3;
+constexpr int kAmd64 = 62;
+constexpr int kArm = 40;
+constexpr int kArm64 = 183;
+
+int elfWord(const QByteArray &image, qsizetype at)
+{
+    return std::uint8_t(image[at]) | std::uint8_t(image[at + 1]) << 8;
+}
+
+bool isText(const QByteArray &image)
+{
+    if (image.startsWith("\xFF\xFE") || image.startsWith("\xFE\xFF"))
+        return true;  // UTF-16
+    constexpr char kFirstLetter = ' ';
+    return std::none_of(image.begin(), image.end(),
+                        [](char byte) {
+                            return (byte >= 0 && byte < kFirstLetter && !std::isspace(byte))
+                                || byte == '\x7F';
+                        })
+        && QString::fromUtf8(image).toUtf8() == image;
+}
+
+// Null: it may be a drone's program.
+const char *otherKind(const QByteArray &image)
+{
+    const auto other
+        = std::find_if(std::begin(kOtherFiles), std::end(kOtherFiles), [&](const OtherFile &each) {
+              return QByteArrayView(image).sliced(each.at).startsWith(each.mark);
+          });
+    if (other != std::end(kOtherFiles))
+        return other->what;
+    if (isText(image))
+        return "a text";
+    if (!image.startsWith(kElf))
+        return nullptr;
+    const int machine = elfWord(image, kElfMachine);
+    const int type = elfWord(image, kElfType);
+    if (machine == kIntel || machine == kAmd64)
+        return "a program for a desktop computer";
+    return type == kExecutable || type == kShared ? nullptr : "a part of a program";
+}
 
 constexpr qsizetype kPiece = 1024;
 constexpr int kRepeats = 8;  // of what has no answer, as the original sends it
@@ -120,14 +191,36 @@ Result<QByteArray> readFirmware(const QString &path)
         return image;
     if (image->isEmpty())
         return fileFailure({.problem = FileProblem::Empty, .kind = FileKind::Firmware, .path = path});
-    const auto other = std::find_if(std::begin(kOtherFiles), std::end(kOtherFiles),
-                                    [&](const OtherFile &each) { return image->startsWith(each.begin); });
-    if (other != std::end(kOtherFiles))
+    const QString other = image->size() < kSmallestImage
+        ? u"too small for a drone's program: %1 bytes"_s.arg(image->size())
+        : QLatin1String(otherKind(*image));
+    if (!other.isEmpty())
         return fileFailure({.problem = FileProblem::OtherKind,
                             .kind = FileKind::Firmware,
                             .path = path,
-                            .said = u"it is "_s + QLatin1String(other->what)});
+                            .said = u"it is "_s + other});
     return image;
+}
+
+bool isDroneProgram(const QByteArray &image)
+{
+    if (!image.startsWith(kElf) || image.size() < kSmallestImage)
+        return false;
+    const int machine = elfWord(image, kElfMachine);
+    return machine == kArm || machine == kArm64;
+}
+
+const char *Device::doubt(const QString &action, const QVariantMap &arguments) const
+{
+    if (action != u"firmware.upload"_s)
+        return "";
+    const auto image = readFirmware(arguments.value(u"file"_s).toString());
+    if (!image || isDroneProgram(*image))
+        return "";
+    return QT_TRANSLATE_NOOP(
+        "Tables",
+        "Nothing in the file shows that it is a program for a drone. A drone whose program "
+        "does not start cannot be reached any more.");
 }
 
 Result<ActionReply> Device::uploadFirmware(Channel &channel, const QString &path)

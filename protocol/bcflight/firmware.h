@@ -6,8 +6,10 @@
 
 namespace bcflight {
 
-/// Reads what is to replace a drone's program. No document says how such a file looks, so only what is known
-/// to be something else is refused. Errors: BadFile (missing, empty, over 4 MiB, another kind of file).
+/// Reads what is to replace a drone's program. No document says how such a file looks, so only what cannot be
+/// one is refused. Errors: BadFile (missing, empty, under 1 KiB, over 4 MiB, another kind of file).
 [[nodiscard]] Result<QByteArray> readFirmware(const QString &path);
+/// It says of itself that it is a program for a processor as drones have it.
+[[nodiscard]] bool isDroneProgram(const QByteArray &image);
 
 }  // namespace bcflight

@@ -7,6 +7,7 @@
 #include "protocol/configuration/scriptmistake.h"
 
 #include <QByteArray>
+#include <QVariantMap>
 
 #include <vector>
 
@@ -39,6 +40,9 @@ public:
     [[nodiscard]] virtual QByteArray axesKey(const Configuration &configuration) const = 0;
     /// What speaks against its texts, found without running them. Empty proves nothing.
     [[nodiscard]] virtual std::vector<ScriptMistake> doubts(const Configuration &configuration) const = 0;
+    /// What is not certain of an action with these arguments, as a sentence of the tables to be told before
+    /// it is confirmed; empty: nothing is known to be open.
+    [[nodiscard]] virtual const char *doubt(const QString &action, const QVariantMap &arguments) const = 0;
     /// Whether it may be told this now; where that depends on its state it is asked. On the worker. Errors:
     /// ConditionUnmet (it is armed or calibrates), those of the channel.
     virtual Result<void> checkMayTake(Channel &channel, const RawCommand &command) = 0;

@@ -629,7 +629,7 @@ void TestBcflightDay::uploadFirmware()
 {
     FirmwareCard *card = go<BenchPage>().firmware();
     QByteArray image = "version 7.7\n";
-    image.resize(20000, 'x');
+    image.resize(20000, '\x01');
     const QString path = m_rig->filePath(u"new.bin"_s);
     QVERIFY(writeWhole(path, image));
     click(named<QPushButton>(card, u"Choose a file…"_s));

@@ -113,7 +113,7 @@ private:
     {
         const QString path = m_rig->filePath(name);
         QByteArray image = "version " + version + '\n';
-        image.resize(size, 'x');
+        image.resize(size, '\x01');
         return writeWhole(path, image) ? path : QString();
     }
     std::unique_ptr<WindowRig> m_rig;
@@ -428,6 +428,7 @@ void TestBenchPage::firmwareIsUploaded()
     QVERIFY2(asked()->text().contains(u"new.bin"_s), qPrintable(asked()->text()));
     QVERIFY(asked()->text().contains(u'…'));
     QVERIFY(asked()->toolTip().contains(path));
+    QVERIFY2(asked()->text().contains(u"Nothing in the file shows"_s), qPrintable(asked()->text()));
     QVERIFY(confirm(u"The file was made for this drone"_s));
     QTRY_VERIFY_WITH_TIMEOUT(card->said().contains(u"do not switch it off"_s), kPatience);
     QVERIFY(!card->cancelButton()->isEnabled());
@@ -446,6 +447,15 @@ void TestBenchPage::anotherFirmwareIsCheckedAnew()
     all.level = CheckedDirections::Level::All;
     keepDirections(m_rig->workspace(), all);
     QVERIFY(calibrate());
+    QCOMPARE(checkedDirections(m_rig->workspace()), all);
+    // What was refused has changed nothing.
+    const QString text = m_rig->filePath(u"notes.txt"_s);
+    QVERIFY(writeWhole(text, QByteArray("no program\n").repeated(200)));
+    const auto refused = m_rig->workspace().perform(u"firmware.upload"_s, {{u"file"_s, text}});
+    QVERIFY(confirm(u"The file was made for this drone"_s));
+    QTRY_VERIFY_WITH_TIMEOUT(refused.isFinished(), kPatience);
+    QVERIFY(!refused.result());
+    QCOMPARE(refused.result().error().code, ErrorCode::BadFile);
     QCOMPARE(checkedDirections(m_rig->workspace()), all);
     FirmwareCard *card = bench().firmware();
     card->choose(firmwareFile(u"same.bin"_s, 20000, "1.0"));

@@ -181,7 +181,7 @@ void TestBcflightBenchLink::firmwareComesThroughLosses()
     Bench bench(faults);
     QVERIFY(bench.connect());
     QByteArray image("version 4.2\n");
-    image.resize(100 * 1024 + 17, 'f');
+    image.resize(100 * 1024 + 17, '\x01');
     const QString path = m_dir.filePath(u"flight"_s);
     QVERIFY(writeWhole(path, image));
     const TimePoint begin = Clock::now();

@@ -101,6 +101,20 @@ QByteArray imageOf(int bytes, const QByteArray &version = "3.1")
     return image;
 }
 
+// A program for Linux of that type, for that processor.
+QByteArray elfOf(char type, char machine)
+{
+    QByteArray image = imageOf(4 * kPiece);
+    image.replace(0, 4,
+                  "\x7F"
+                  "ELF");
+    image[16] = type;
+    image[17] = 0;
+    image[18] = machine;
+    image[19] = 0;
+    return image;
+}
+
 bool tellsSilence(const Error &error)
 {
     return error.detail.contains(u"its stream stays silent until it is restarted"_s);
@@ -117,6 +131,7 @@ private slots:
     void lastPieceIsShort_data();
     void lastPieceIsShort();
     void sameVersionIsNoProof();
+    void doubtIsToldOfWhatShowsNothing();
     void uploadIsRefused_data();
     void uploadIsRefused();
     void pieceIsSentAgain_data();
@@ -176,7 +191,7 @@ void TestBcflightBench::firmwareIsUploaded()
 void TestBcflightBench::lastPieceIsShort_data()
 {
     QTest::addColumn<int>("bytes");
-    for (const int bytes : {1, kPiece - 1, kPiece, kPiece + 1, 3 * kPiece + 7, int(Drone::kLargestImage)})
+    for (const int bytes : {kPiece, kPiece + 1, 2 * kPiece - 1, 3 * kPiece + 7, int(Drone::kLargestImage)})
         QTest::newRow(qPrintable(QString::number(bytes))) << bytes;
 }
 
@@ -202,6 +217,28 @@ void TestBcflightBench::sameVersionIsNoProof()
     QVERIFY(done->value(u"unproven"_s).toString().contains(u"same version"_s));
 }
 
+// No document says how such a file looks: what it does not show is told before it is confirmed.
+void TestBcflightBench::doubtIsToldOfWhatShowsNothing()
+{
+    Rig rig;
+    QVERIFY(rig.identify());
+    const auto doubt = [&rig](const QByteArray &image) {
+        const QString path = rig.dir.filePath(u"any.bin"_s);
+        return writeWhole(path, image)
+            ? QString::fromUtf8(rig.device.doubt(u"firmware.upload"_s, {{u"file"_s, path}}))
+            : u"no file"_s;
+    };
+    QVERIFY(doubt(imageOf(4 * kPiece)).contains(u"Nothing in the file shows"_s));
+    QCOMPARE(doubt(elfOf(2, 40)), QString());
+    QCOMPARE(doubt(elfOf(3, char(183))), QString());
+    QVERIFY(!doubt(elfOf(2, char(243))).isEmpty());  // a processor that no such drone has been seen with
+    QCOMPARE(doubt("{"), QString());  // it is refused
+    QVERIFY(rig.calibrate());
+    const QByteArray program = elfOf(2, 40);
+    QVERIFY(rig.upload(program));
+    QCOMPARE(rig.drone().firmware(), program);
+}
+
 void TestBcflightBench::uploadIsRefused_data()
 {
     QTest::addColumn<QString>("why");
@@ -214,6 +251,11 @@ void TestBcflightBench::uploadIsRefused_data()
     QTest::newRow("not there") << u"missing"_s << ErrorCode::BadFile;
     QTest::newRow("packed") << u"packed"_s << ErrorCode::BadFile;
     QTest::newRow("a configuration") << u"text"_s << ErrorCode::BadFile;
+    QTest::newRow("too small") << u"small"_s << ErrorCode::BadFile;
+    QTest::newRow("words") << u"words"_s << ErrorCode::BadFile;
+    QTest::newRow("a tar archive") << u"tar"_s << ErrorCode::BadFile;
+    QTest::newRow("a program of this computer") << u"desktop"_s << ErrorCode::BadFile;
+    QTest::newRow("an object file") << u"object"_s << ErrorCode::BadFile;
 }
 
 // Before anything of it goes out.
@@ -237,15 +279,27 @@ void TestBcflightBench::uploadIsRefused()
     } else if (why == u"packed"_s) {
         image.replace(0, 4, "PK\x03\x04");
     } else if (why == u"text"_s) {
-        image = "--- Frame\nframe = Multicopter{}\n";
+        image = QByteArray("--- Frame\nframe = Multicopter{}\n").repeated(40);
+    } else if (why == u"small"_s) {
+        image.truncate(kPiece - 1);
+    } else if (why == u"words"_s) {
+        image = QString(kPiece, u'ü').toUtf8();
+    } else if (why == u"tar"_s) {
+        image.replace(257, 5, "ustar");
+    } else if (why == u"desktop"_s) {
+        image = elfOf(2, 62);
+    } else if (why == u"object"_s) {
+        image = elfOf(1, 40);
     }
     SimulatorOptions options;
     auto stream = std::make_unique<WatchedDrone>(options);
     stream->packetBased = false;
     SimulatedPort line(std::move(stream), options, {});
     VirtualChannel overTcp(line, rig.family.makeFramer(), rig.family.timing);
+    const QString whole = rig.dir.filePath(u"whole.bin"_s);
+    QVERIFY(writeWhole(whole, imageOf(4 * kPiece)));
     const auto done = why == u"stream"_s
-        ? rig.device.perform(overTcp, u"firmware.upload"_s, {{u"file"_s, u"/proc/version"_s}})
+        ? rig.device.perform(overTcp, u"firmware.upload"_s, {{u"file"_s, whole}})
         : why == u"missing"_s ? rig.perform("firmware.upload", {{u"file"_s, rig.dir.filePath(u"none"_s)}})
                               : rig.upload(image);
     QVERIFY(!done);
