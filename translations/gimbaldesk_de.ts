@@ -3048,6 +3048,10 @@
         <source>It is “%1”</source>
         <translation>Es ist „%1“</translation>
     </message>
+    <message>
+        <source>Propellers off: while it is tilted by hand the controller drives motors up to full throttle, whatever the throttle here says.</source>
+        <translation>Propeller ab: Während sie mit der Hand geneigt wird, treibt der Regler Motoren bis zu Vollgas, was auch immer das Gas hier anzeigt.</translation>
+    </message>
 </context>
 <context>
     <name>DocumentsPage</name>

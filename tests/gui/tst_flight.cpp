@@ -307,6 +307,9 @@ void TestFlight::directionsAreCheckedThenItFlies()
     QVERIFY(page().stateText().contains(u"directions"_s));
 
     DirectionCard *card = page().directions();
+    // Whoever tilts it by hand knows before what its motors do then.
+    const QString full = u"drives motors up to full throttle"_s;
+    QVERIFY(says(full));
     pose(1);
     QVERIFY(m_rig->boardGoesOn(1));
     QTest::mouseClick(card->beginButton(), Qt::LeftButton);
@@ -343,6 +346,7 @@ void TestFlight::directionsAreCheckedThenItFlies()
         QTRY_COMPARE_WITH_TIMEOUT(step(), before + 1, kPatience);
     }
     QVERIFY(card->wantsArmed());
+    QVERIFY(says(full));
     // In a stand the propellers are on: not for this.
     page().sessionButton()->click();
     page().open(true);

@@ -246,8 +246,8 @@ void DirectionCard::show()
             ? tr("Angles and sticks are checked; what the motors answer is not.")
             : tr("Not checked. Nothing tells the program which way this drone counts its axes, so "
                  "it is not armed until you have looked."));
-    m_sees->setText(m_check ? sees() : QString());
-    m_sees->setVisible(m_check.has_value());
+    m_sees->setText(m_check ? sees() : level == Level::All ? QString() : handsText());
+    m_sees->setVisible(!m_sees->text().isEmpty());
     m_progress->setVisible(m_check.has_value());
     m_progress->setValue(m_check ? kPerCent * m_check->stepNumber() / DirectionCheck::stepCount() : 0);
     m_hands->setVisible(m_check && m_workspace.isSimulated());
@@ -290,18 +290,26 @@ QString DirectionCard::instruction() const
                   tr("Push the stick for pitch forward, at least a third of the way, and let go."),
                   tr("Push the stick for yaw to the right, at least a third of the way, and let go."));
     case Kind::TiltAnswer:
-        return of(
-            tr("Armed without propellers, with 5 to 15 % throttle: hold it level, then tilt it to its right "
-               "side."),
-            tr("Armed without propellers, with 5 to 15 % throttle: hold it level, then tilt its nose down."),
-            tr("Armed without propellers, with 5 to 15 % throttle: hold it level, then turn its nose to the "
-               "right."));
+        return of(tr("Armed without propellers, with 5 to 15 % throttle: hold it level, then tilt it to its "
+                     "right side."),
+                  tr("Armed without propellers, with 5 to 15 % throttle: hold it level, then tilt its nose "
+                     "down."),
+                  tr("Armed without propellers, with 5 to 15 % throttle: hold it level, then turn its nose "
+                     "to the right."))
+            + u' ' + handsText();
     case Kind::StickAnswer:
         return of(tr("Hold it level and push the stick for roll to the right, at least a third of the way."),
                   tr("Hold it level and push the stick for pitch forward, at least a third of the way."),
                   tr("Hold it level and push the stick for yaw to the right, at least a third of the way."));
     }
     return {};
+}
+
+// The controller works against the hand, and sums up what it does not reach.
+QString DirectionCard::handsText() const
+{
+    return tr("Propellers off: while it is tilted by hand the controller drives motors up to full throttle, "
+              "whatever the throttle here says.");
 }
 
 QString DirectionCard::question() const

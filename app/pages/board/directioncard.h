@@ -65,6 +65,7 @@ private:
     [[nodiscard]] QString presumedText() const;
     void answer(bool isRight);
     [[nodiscard]] QString sees() const;
+    [[nodiscard]] QString handsText() const;
     [[nodiscard]] QString question() const;
 
     [[nodiscard]] QString lacking() const;
