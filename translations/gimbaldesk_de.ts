@@ -372,6 +372,10 @@
         <source>Over: %1</source>
         <translation>Vorbei: %1</translation>
     </message>
+    <message>
+        <source>Not watched any more: %1</source>
+        <translation>Nicht mehr überwacht: %1</translation>
+    </message>
 </context>
 <context>
     <name>AlarmCard</name>
@@ -390,6 +394,10 @@
     <message>
         <source>Acknowledge: %1</source>
         <translation>Quittieren: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2, not watched any more</source>
+        <translation>%1, %2, nicht mehr überwacht</translation>
     </message>
 </context>
 <context>
@@ -4617,6 +4625,10 @@
         <source>it turns with %1°/s</source>
         <translation>sie dreht sich mit %1°/s</translation>
     </message>
+    <message>
+        <source>%1 is not reached that way</source>
+        <translation>%1 ist so nicht zu erreichen</translation>
+    </message>
 </context>
 <context>
     <name>ErrorText</name>
@@ -7148,6 +7160,17 @@
     </message>
 </context>
 <context>
+    <name>LeapText</name>
+    <message>
+        <source>%1: %2 is %3 times what the board has, %4</source>
+        <translation>%1: %2 ist das %3-Fache dessen, was bisher gilt, %4</translation>
+    </message>
+    <message>
+        <source>%1: %2, where the board has 0</source>
+        <translation>%1: %2, wo bisher 0 ist</translation>
+    </message>
+</context>
+<context>
     <name>Leaving</name>
     <message>
         <source>A write is running: the program quits when it has ended.</source>
@@ -8547,6 +8570,14 @@
         <source>The drone was disarmed, and does not tell what its motors do. See that they stand before you come near.</source>
         <translation>Die Drohne wurde entschärft und meldet nicht, was ihre Motoren tun. Vor dem Herangehen nachsehen, ob sie stehen.</translation>
     </message>
+    <message>
+        <source>Over this kind of link %1 is asked only if it is named: add ?family=%2 to the address.</source>
+        <translation>Über eine solche Verbindung wird %1 nur gefragt, wenn die Adresse die Familie nennt: ?family=%2 anhängen.</translation>
+    </message>
+    <message>
+        <source>%1 is not reached this way; it is usually at %2.</source>
+        <translation>%1 ist so nicht zu erreichen; üblich ist %2.</translation>
+    </message>
 </context>
 <context>
     <name>NumberBox</name>
@@ -9378,6 +9409,26 @@ dieses zeigen.</translation>
         <source>Not armed: a question or a list is open over this page.</source>
         <translation>Nicht scharf geschaltet: über dieser Seite ist eine Frage oder eine Liste offen.</translation>
     </message>
+    <message>
+        <source>Not set while it is armed: %1. Disarm it first.</source>
+        <translation>Nicht gesetzt, solange sie scharf ist: %1. Zuerst entschärfen.</translation>
+    </message>
+    <message>
+        <source>Many times as much?</source>
+        <translation>Ein Vielfaches?</translation>
+    </message>
+    <message>
+        <source>%1. With a value far too large it swings or runs away as soon as the motors run.</source>
+        <translation>%1. Mit einem viel zu großen Wert schwingt sie oder läuft davon, sobald die Motoren laufen.</translation>
+    </message>
+    <message>
+        <source>Use it all the same</source>
+        <translation>Trotzdem verwenden</translation>
+    </message>
+    <message>
+        <source>Leave it</source>
+        <translation>Lassen</translation>
+    </message>
 </context>
 <context>
     <name>RecordingsPage</name>
@@ -9838,6 +9889,22 @@ dieses zeigen.</translation>
     <message>
         <source>⚠ Some of these values are in the risk class: with a wrong one the drone swings at once when it is armed. Try them with the propellers off, or in a test stand.</source>
         <translation>⚠ Einige dieser Werte gehören zur Risikoklasse: mit einem falschen pendelt die Drohne sofort, wenn sie scharf ist. Mit abgenommenen Propellern oder im Teststand ausprobieren.</translation>
+    </message>
+    <message>
+        <source>Line %1: %2.</source>
+        <translation>Zeile %1: %2.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>Read without running it, nothing was found against the text. That does not prove that the board starts or flies with it.</source>
+        <translation>Gelesen, ohne ihn auszuführen: Gegen den Text wurde nichts gefunden. Das beweist nicht, dass das Board mit ihm startet oder fliegt.</translation>
+    </message>
+    <message>
+        <source>⚠ This speaks against the text:</source>
+        <translation>⚠ Das spricht gegen den Text:</translation>
     </message>
 </context>
 <context>
@@ -10732,6 +10799,13 @@ dieses zeigen.</translation>
     <message>
         <source>What the functions get now</source>
         <translation>Was die Funktionen jetzt bekommen</translation>
+    </message>
+</context>
+<context>
+    <name>SignsNote</name>
+    <message>
+        <source>Signs as the drone counts them. On “Flight” they are as the check of directions has found them, the other way round: %1.</source>
+        <translation>Vorzeichen, wie die Drohne sie zählt. Auf „Flug“ sind sie so, wie die Prüfung der Richtungen sie gefunden hat, also umgekehrt: %1.</translation>
     </message>
 </context>
 <context>
@@ -21263,7 +21337,6 @@ Spitze %2°</translation>
         <translation>Was an allen Eingängen ankommt, ob ihnen eine Funktion zugeordnet ist oder nicht. Firmware vor 2.60 meldet nur die, die eine haben.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>A motor is hot: let it cool, and see on the page Monitor how warm it gets with the power that it has now.</source>
         <translation>Ein Motor ist heiß: lassen Sie ihn abkühlen, und sehen Sie auf der Seite Monitor, wie warm er mit der Leistung wird, die er jetzt hat.</translation>
     </message>
@@ -21310,10 +21383,50 @@ Spitze %2°</translation>
     <message>
         <source>Still held with a power of</source>
         <translation>Noch gehalten mit einer Leistung von</translation>
-=======
+    </message>
+    <message>
         <source>Nothing in the file shows that it is a program for a drone. A drone whose program does not start cannot be reached any more.</source>
         <translation>Nichts an der Datei zeigt, dass sie ein Programm für eine Drohne ist. Eine Drohne, deren Programm nicht startet, ist nicht mehr zu erreichen.</translation>
->>>>>>> 230085a (Firmware: what cannot be one is refused, what shows nothing is told)
+    </message>
+    <message>
+        <source>a share of motor %1 is beyond 1: %2</source>
+        <translation>ein Anteil von Motor %1 liegt jenseits von 1: %2</translation>
+    </message>
+    <message>
+        <source>motor %1 does not lift</source>
+        <translation>Motor %1 hebt nicht</translation>
+    </message>
+    <message>
+        <source>no motor has a share in %1</source>
+        <translation>kein Motor hat einen Anteil an %1</translation>
+    </message>
+    <message>
+        <source>the motors&apos; shares in %1 add up to %2, not to 0: more thrust would turn it</source>
+        <translation>die Anteile der Motoren an %1 ergeben %2, nicht 0: mehr Schub würde die Drohne drehen</translation>
+    </message>
+    <message>
+        <source>%1 and %2 drive the motors alike</source>
+        <translation>%1 und %2 treiben die Motoren gleich an</translation>
+    </message>
+    <message>
+        <source>mixing has %1 rows for %2 motors</source>
+        <translation>die Mischung hat %1 Zeilen für %2 Motoren</translation>
+    </message>
+    <message>
+        <source>this loop never ends: the drone would not start</source>
+        <translation>diese Schleife endet nie: die Drohne würde nicht starten</translation>
+    </message>
+    <message>
+        <source>this ends the loading: the drone would not start</source>
+        <translation>das bricht das Laden ab: die Drohne würde nicht starten</translation>
+    </message>
+    <message>
+        <source>%1 acts on the drone&apos;s computer when this function is called</source>
+        <translation>%1 wirkt auf den Rechner der Drohne, wenn diese Funktion aufgerufen wird</translation>
+    </message>
+    <message>
+        <source>%1 acts on the drone&apos;s computer whenever the text is loaded</source>
+        <translation>%1 wirkt auf den Rechner der Drohne, sooft der Text geladen wird</translation>
     </message>
 </context>
 <context>
