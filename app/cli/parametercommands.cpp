@@ -47,11 +47,21 @@ Result<int> chosenProfile(int number, const Configuration &configuration)
     return number - 1;
 }
 
-// "inText": the number that stands for it in a text of the board.
+// What a text of the board has instead of the value in use. Empty: the same, or it is not told.
+QString storedOtherwise(const Configuration &configuration, const ParameterSpec &spec, double raw)
+{
+    const auto first = configuration.startsWith(spec);
+    const auto figure = first && *first != raw ? configuration.textFigure(spec, *first) : std::nullopt;
+    return figure ? u"the text has %1"_s.arg(plainNumber(*figure)) : QString();
+}
+
+// "inText": the number that stands for it in a text of the board; "stored": whether the text has it.
 void addFigure(QJsonObject &json, const Configuration &configuration, const ParameterSpec &spec, double raw)
 {
     if (const auto figure = configuration.textFigure(spec, raw))
         json.insert(u"inText"_s, *figure);
+    if (const auto first = configuration.startsWith(spec))
+        json.insert(u"stored"_s, *first == raw);
 }
 
 QJsonObject parameterJson(const ParameterSpec &spec, int profile, double raw)
@@ -210,7 +220,9 @@ public:
             QString range
                 = spec.row->kind == ValueKind::Number ? spec.minText() + u".."_s + spec.maxText() : QString();
             if (const auto figure = configuration->textFigure(spec, *raw))
-                range += u"  as %1 in the text"_s.arg(plainNumber(*figure));
+                range += u"  %1 in the text's numbers"_s.arg(plainNumber(*figure));
+            if (const QString other = storedOtherwise(*configuration, spec, *raw); !other.isEmpty())
+                range += u", not stored: "_s + other;
             outcome.text += u"%1 %2 %3\n"_s.arg(spec.key.leftJustified(32),
                                                 valueText(spec, *raw).leftJustified(24), range);
         }
@@ -263,9 +275,16 @@ public:
             QJsonObject json = parameterJson(*spec, *profile, *raw);
             addFigure(json, *configuration, *spec, *raw);
             array.append(json);
-            if (const auto figure = configuration->textFigure(*spec, *raw))
-                notes.append(u"%1 stands as %2 in the configuration text, where it is stored"_s.arg(
-                    key, plainNumber(*figure)));
+            if (const auto figure = configuration->textFigure(*spec, *raw)) {
+                const QString other = storedOtherwise(*configuration, *spec, *raw);
+                notes.append(
+                    other.isEmpty() && configuration->startsWith(*spec)
+                        ? u"%1 stands as %2 in the configuration text, where it is stored"_s.arg(
+                            key, plainNumber(*figure))
+                        : u"%1 would stand as %2 in the configuration text"_s.arg(key, plainNumber(*figure)));
+                if (!other.isEmpty())
+                    notes.append(u"it is in use and not stored: "_s + other);
+            }
             outcome.text += arguments().size() == 1 ? spec->format(*raw) + u'\n'
                                                     : key + u'=' + spec->format(*raw) + u'\n';
         }

@@ -65,6 +65,8 @@ QFuture<Result<ActionOutcome>> Workspace::performNow(const QString &key, const Q
     m_unstoppable = action.silence > 0ms ? &*it : m_unstoppable;
     if (action.risk != ActionRisk::Safe)
         forgetStop();
+    if (action.silence > 0ms)
+        m_notifications.settle(Concern::Stopped);  // what was proven is past
     // From then on it may run another program; whether that comes to its end may never be known.
     const auto dropsDirections
         = connect(&m_client, &DeviceClient::progressChanged, this, [this](const Progress &progress) {
@@ -145,7 +147,7 @@ void Workspace::tellStopped(const ActionSpec &action, const Error &error)
         said.append(tr("The motors are proven to stand."));
     else
         said.append(tr("That the motors stand is not proven yet."));
-    m_notifications.notify(said.join(u' '), Notice::Attention);
+    m_notifications.notify(said.join(u' '), Notice::Attention, Concern::Stopped);
 }
 
 // What would be written is copied before: without the copy nothing was sent yet.

@@ -73,6 +73,13 @@ QFuture<Result<WholeMemory::Contents>> Workspace::compareStored()
         });
 }
 
+// A board that keeps its values in a text starts with those.
+void Workspace::compareWithText()
+{
+    m_isTextOlder = std::as_const(m_configuration).board().usesUnstored();
+    emit unstoredChanged();
+}
+
 // The board's values are those that are stored from now on; what else is in use is live.
 void Workspace::learnStored(const WholeMemory::Contents &both)
 {

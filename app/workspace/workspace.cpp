@@ -106,6 +106,8 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     connect(&m_client, &DeviceClient::statisticsChanged, this, &Workspace::followActiveProfile);
     const auto noteProfile = [this] { m_profileKnownAt = Clock::now(); };
     connect(&m_configuration, &ConfigurationModel::boardReset, this, noteProfile);
+    connect(&m_configuration, &ConfigurationModel::boardReset, this, &Workspace::compareWithText);
+    connect(&m_configuration, &ConfigurationModel::storedChanged, this, &Workspace::compareWithText);
     connect(&m_configuration, &ConfigurationModel::activeProfileChanged, this, noteProfile);
     connect(&m_client, &DeviceClient::statisticsChanged, this, &Workspace::settleMotors);
     connect(&m_client, &DeviceClient::statisticsChanged, this, &Workspace::readUnknown);

@@ -180,7 +180,10 @@ public:
     [[nodiscard]] QString openFilter() const;
     /// Values are in use that a restart would lose, for all this program knows.
     /// Beyond the values to tune with, which can be put back one by one.
-    [[nodiscard]] bool isUnstored() const { return m_unstored || m_live.changeCount() > m_live.tunedCount(); }
+    [[nodiscard]] bool isUnstored() const
+    {
+        return m_unstored || m_isTextOlder || m_live.changeCount() > m_live.tunedCount();
+    }
     /// True, false, or nothing while telemetry is missing or old.
     [[nodiscard]] std::optional<bool> motorsRunning() const;
     /// The board reports that it starts: its motors run soon, without being told to.
@@ -219,6 +222,7 @@ private:
     void keepMissing(Configuration &read) const;
     void tellMissing(const Configuration &configuration);
     void setUnstored(bool unstored);
+    void compareWithText();
     void learnStored(const WholeMemory::Contents &both);
     void learnLastStored();
     QFuture<bool> storeLive(QWidget &over, std::optional<QSet<QString>> listed);
@@ -291,6 +295,7 @@ private:
     QString m_videoRecording;
     Gamepad m_gamepad;
     bool m_unstored = false;
+    bool m_isTextOlder = false;  // than what the board uses (Configuration::usesUnstored)
     bool m_storedKnown = false;
     bool m_guided = false;
     bool m_flown = false;

@@ -447,10 +447,9 @@ Result<QByteArray> Device::withGains(const QByteArray &text, const QByteArray &g
     if (!scales)
         return tl::unexpected(scales.error());
     QByteArray next = text;
-    constexpr std::array kNames{"pid_roll", "pid_pitch", "pid_yaw"};
     for (int variable = 0; variable < kRateGains; ++variable) {
         const auto term = std::size_t(variable % 3);
-        const auto found = findGains(next, QString::fromLatin1(kNames[std::size_t(variable / 3)]));
+        const auto found = findGains(next, QString::fromLatin1(kGainNames[std::size_t(variable / 3)]));
         if (!found)
             return tl::unexpected(found.error());
         const double scale = (*scales)[term];
@@ -465,8 +464,7 @@ Result<QByteArray> Device::withGains(const QByteArray &text, const QByteArray &g
         if (!std::isfinite(value))
             return failure(ErrorCode::ConditionUnmet,
                            u"the scale of a gain in the text is %1, which gives no number"_s.arg(scale));
-        changes.insert(QLatin1String(m_adjustables[std::size_t(variable)].key),
-                       u"%1 > %2"_s.arg(literal.value).arg(value));
+        changes.insert(adjustableKey(variable), u"%1 > %2"_s.arg(literal.value).arg(value));
         next = replaced(next, literal, value);
     }
     return next;

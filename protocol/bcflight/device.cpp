@@ -356,7 +356,7 @@ Result<void> Device::writeGains(Channel &channel, const QByteArray &bytes)
     for (int variable = 0; variable < kLiveValues; ++variable) {
         if (floatBytes(*now, variable) != floatBytes(bytes, variable)
             && floatBytes(*after, variable) != floatBytes(bytes, variable))
-            return failure(ErrorCode::NoEffect, QLatin1String(m_adjustables[std::size_t(variable)].key));
+            return failure(ErrorCode::NoEffect, adjustableKey(variable));
     }
     return {};
 }
@@ -467,14 +467,20 @@ std::optional<Result<Configuration>> Device::storedAs(const Configuration &inUse
         });
 }
 
+// They are listed by terms, and numbered by axes.
+QString Device::adjustableKey(int variable) const
+{
+    const auto found = std::ranges::find(m_adjustables, variable, &AdjustableSpec::id);
+    return found == m_adjustables.end() ? QString() : QString::fromLatin1(found->key);
+}
+
 Result<void> Device::checkAdjustable(const AdjustableValue &wanted) const
 {
     const auto spec = std::find_if(m_adjustables.begin(), m_adjustables.end(),
                                    [&wanted](const AdjustableSpec &each) { return each.id == wanted.id; });
     if (spec != m_adjustables.end() && wanted.value >= spec->min && wanted.value <= spec->max)
         return {};
-    return failure(ErrorCode::OutOfRange,
-                   spec == m_adjustables.end() ? QString() : QString::fromLatin1(spec->key));
+    return failure(ErrorCode::OutOfRange, adjustableKey(wanted.id));
 }
 
 Result<void> Device::putAdjustables(Channel &channel, const std::vector<AdjustableValue> &values)

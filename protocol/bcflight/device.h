@@ -203,6 +203,8 @@ private:
     int m_operation = 0;  // number of the last one that must not be done twice; 0: none over this link
     BoardIdentity m_identity;
     std::shared_ptr<const ParameterSet> m_parameters;
+    [[nodiscard]] QString adjustableKey(int variable) const;
+
     std::vector<QByteArray> m_adjustableKeys;
     std::vector<AdjustableSpec> m_adjustables;
 };

@@ -25,6 +25,8 @@ struct Literal
 /// The three numbers of `name = PID( p, i, d )`.
 using GainLiterals = std::array<Literal, 3>;
 
+/// The names of the rate controller's gains: roll, pitch, yaw (errata 7.2).
+inline constexpr std::array kGainNames{"pid_roll", "pid_pitch", "pid_yaw"};
 /// Finds a name's three gains. Errors: ConditionUnmet (not there outside comments and strings, or more than
 /// once, or something else than three plain numbers; the detail has the lines, the place the one to mend).
 [[nodiscard]] Result<GainLiterals> findGains(const QByteArray &text, const QString &name);

@@ -23,6 +23,21 @@ std::optional<double> gainInText(const Configuration &configuration, const Param
     return scale != 0 ? std::optional(figureFor(float(raw), scale)) : std::nullopt;
 }
 
+// One of three numbers times its scale, as the drone computes it.
+std::optional<double> gainAtStart(const Configuration &configuration, const ParameterSpec &spec)
+{
+    const QByteArray text = configuration.block({0, ConfigurationText});
+    const auto axis = std::size_t(spec.adjustable / 3);
+    if (text.isEmpty() || axis >= kGainNames.size())
+        return {};
+    const auto scales = findScales(text);
+    const auto gains = findGains(text, QString::fromLatin1(kGainNames[axis]));
+    if (!scales || !gains)
+        return {};
+    const auto term = std::size_t(spec.adjustable % 3);
+    return double(float((*gains)[term].value * (*scales)[term]));
+}
+
 // clang-format off
 constexpr const char *kRateGroup = "Rate controller";
 constexpr const char *kHorizonGroup = "Horizon";
@@ -32,13 +47,13 @@ constexpr const char *kHorizonGroup = "Horizon";
 constexpr ParameterRow kParameters[] = {
     {.key = "pid.%a.p", .label = "P", .group = kRateGroup, .help = "How hard the motors work against an error of the rate. In the drone's own numbers: the value of the configuration text times its scale.",
      .block = Gains, .offset = 0, .wire = WireType::F32, .order = ByteOrder::Big, .axes = 3, .axisStride = 12, .min = 0, .max = 1, .decimals = 8,
-     .level = ViewLevel::Basic, .scope = Scope::Board, .risk = Risk::Red, .adjustable = 0, .adjustableStride = 3, .textFigure = gainInText},
+     .level = ViewLevel::Basic, .scope = Scope::Board, .risk = Risk::Red, .adjustable = 0, .adjustableStride = 3, .textFigure = gainInText, .startsWith = gainAtStart},
     {.key = "pid.%a.i", .label = "I", .group = kRateGroup, .help = "How hard they work against an error that stays. In the drone's own numbers.",
      .block = Gains, .offset = 4, .wire = WireType::F32, .order = ByteOrder::Big, .axes = 3, .axisStride = 12, .min = 0, .max = 1, .decimals = 8,
-     .level = ViewLevel::Basic, .scope = Scope::Board, .risk = Risk::Red, .adjustable = 1, .adjustableStride = 3, .textFigure = gainInText},
+     .level = ViewLevel::Basic, .scope = Scope::Board, .risk = Risk::Red, .adjustable = 1, .adjustableStride = 3, .textFigure = gainInText, .startsWith = gainAtStart},
     {.key = "pid.%a.d", .label = "D", .group = kRateGroup, .help = "How hard they work against a change of the rate. In the drone's own numbers.",
      .block = Gains, .offset = 8, .wire = WireType::F32, .order = ByteOrder::Big, .axes = 3, .axisStride = 12, .min = 0, .max = 1, .decimals = 8,
-     .level = ViewLevel::Basic, .scope = Scope::Board, .risk = Risk::Red, .adjustable = 2, .adjustableStride = 3, .textFigure = gainInText},
+     .level = ViewLevel::Basic, .scope = Scope::Board, .risk = Risk::Red, .adjustable = 2, .adjustableStride = 3, .textFigure = gainInText, .startsWith = gainAtStart},
     {.key = "horizon.%a.offset", .label = "Offset", .group = kHorizonGroup, .help = "What the drone takes for level is turned by this. It forgets it when it restarts.",
      .block = Gains, .offset = 4 * kRateGains, .wire = WireType::F32, .order = ByteOrder::Big, .axes = 2, .axisStride = 4, .unit = "°", .min = -45, .max = 45, .decimals = 2,
      .level = ViewLevel::Basic, .scope = Scope::Board, .risk = Risk::Red, .adjustable = kRateGains, .adjustableStride = 1},

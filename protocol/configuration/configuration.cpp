@@ -148,6 +148,19 @@ Result<void> Configuration::copyRaw(const ParameterSpec &spec, int profile, cons
     return {};
 }
 
+std::optional<double> Configuration::startsWith(const ParameterSpec &spec) const
+{
+    return spec.row->startsWith ? spec.row->startsWith(*this, spec) : std::nullopt;
+}
+
+bool Configuration::usesUnstored() const
+{
+    return !isEmpty() && std::ranges::any_of(parameters().all(), [this](const ParameterSpec &spec) {
+        const auto first = startsWith(spec);
+        return first && raw(spec, 0) != first;
+    });
+}
+
 std::optional<double> Configuration::textFigure(const ParameterSpec &spec, double raw) const
 {
     return spec.row->textFigure && std::isfinite(raw) ? spec.row->textFigure(*this, spec, raw) : std::nullopt;

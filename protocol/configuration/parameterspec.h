@@ -140,6 +140,10 @@ struct ParameterRow
     std::optional<double> (*textFigure)(const Configuration &configuration, const ParameterSpec &spec,
                                         double raw)
         = nullptr;
+    /// The value that the board starts with, where such a text tells it. Empty: it does not. Null: there is
+    /// none.
+    std::optional<double> (*startsWith)(const Configuration &configuration, const ParameterSpec &spec)
+        = nullptr;
 };
 
 /// Two parameters whose values can exclude each other although each is allowed; or one, whose values exclude

@@ -17,6 +17,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+constexpr int kLeastSide = 170;  // px: below it four rings touch
 constexpr double kTold = 0.05;  // %, less is not shown
 constexpr double kMost = 100;  // %
 constexpr double kClose = 0.25;  // places that would cover each other
@@ -54,6 +55,7 @@ MotorDiagram::MotorDiagram(const Theme &theme, QWidget *parent)
 {
     setAccessibleName(tr("Motors"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    setMinimumSize(kLeastSide, kLeastSide);
     connect(&m_theme, &Theme::changed, this, qOverload<>(&QWidget::update));
     tell();
 }
@@ -188,7 +190,8 @@ QPointF MotorDiagram::placeOf(int motor) const
     if (!hasPlaces())
         return barOf(motor).center();
     const QRectF room = area();
-    const double reach = std::min(room.width(), room.height()) / 2 - radius() - 12;
+    // However small it is, front is never behind.
+    const double reach = std::max(radius(), std::min(room.width(), room.height()) / 2 - radius() - 12);
     return room.center() + m_places[std::size_t(motor - 1)] * reach;
 }
 

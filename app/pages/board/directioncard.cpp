@@ -6,6 +6,7 @@
 #include "app/workspace/wizardparts.h"
 #include "protocol/device/flight.h"
 #include "protocol/device/motorlayout.h"
+#include "widgets/forms/clickshield.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 
@@ -252,6 +253,8 @@ void DirectionCard::show()
     m_progress->setValue(m_check ? kPerCent * m_check->stepNumber() / DirectionCheck::stepCount() : 0);
     m_hands->setVisible(m_check && m_workspace.isSimulated());
     showSame();
+    if (!m_check && m_begin->isHidden())
+        new ClickShield(*this);  // it takes the place of the last answer
     m_begin->setVisible(!m_check);
     m_begin->setText(level == Level::All || !presumed.isEmpty() ? tr("Check again…")
                          : level == Level::Signs                ? tr("Go on with the check…")

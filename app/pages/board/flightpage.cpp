@@ -347,11 +347,12 @@ void FlightPage::press()
 {
     const ArmingBar bar = m_session.bar(known(), sticks(), Clock::now());
     if (bar != ArmingBar::None) {
-        workspace().notifications().notify(tr("Not armed: %1").arg(barText(bar)), Notice::Attention);
+        workspace().notifications().notify(tr("Not armed: %1").arg(barText(bar)), Notice::Attention,
+                                           Concern::Stopped);
         return;
     }
     if (const QString why = whyNotBehind(*this); !why.isEmpty()) {
-        workspace().notifications().notify(why, Notice::Attention);
+        workspace().notifications().notify(why, Notice::Attention, Concern::Stopped);
         return;
     }
     m_begun = Clock::now();
@@ -558,7 +559,8 @@ bool FlightPage::eventFilter(QObject *watched, QEvent *event)
         return Page::eventFilter(watched, event);  // of the whole program, while it is armed
     if (event->type() == QEvent::WindowDeactivate)
         disarm(ArmingBar::Focus);
-    if (isKey && watched != m_pad && givesToPad(watched, *static_cast<QKeyEvent *>(event)))
+    if ((isKey || event->type() == QEvent::KeyRelease) && watched != m_pad
+        && givesToSticks(watched, *static_cast<QKeyEvent *>(event)))
         return true;
     return Page::eventFilter(watched, event);
 }

@@ -93,7 +93,7 @@ private:
     void showState();
     void touch() { m_touched.start(); }
     /// Arrow keys are the sticks', wherever on the page the focus was but in what uses them itself.
-    bool givesToPad(const QObject *to, QKeyEvent &event);
+    bool givesToSticks(const QObject *to, QKeyEvent &event);
     [[nodiscard]] bool handleKey(const QKeyEvent &event, bool isDown);
     [[nodiscard]] const Steering *steering() const;
     [[nodiscard]] ArmingSession::Known known() const;

@@ -132,12 +132,22 @@ void FlightPage::climb(TimePoint now)
     m_throttle->setValue(m_throttle->value() + whole);
 }
 
-bool FlightPage::givesToPad(const QObject *to, QKeyEvent &event)
+// Armed, the keys that fly fly, wherever the keyboard is: a field takes digits alone.
+bool FlightPage::givesToSticks(const QObject *to, QKeyEvent &event)
 {
-    const bool isArrow = event.key() >= Qt::Key_Left && event.key() <= Qt::Key_Down;
-    const bool isItsOwn = qobject_cast<const QLineEdit *>(to) || qobject_cast<const QAbstractSpinBox *>(to)
-        || qobject_cast<const QSlider *>(to) || qobject_cast<const QComboBox *>(to);
-    if (!isArrow || isItsOwn || !m_pad->isEnabled())
+    const bool isField = qobject_cast<const QLineEdit *>(to) || qobject_cast<const QAbstractSpinBox *>(to)
+        || qobject_cast<const QComboBox *>(to);
+    const bool isDown = event.type() == QEvent::KeyPress;
+    const int key = event.key();
+    if (isField && m_session.isArming()) {
+        if (key == Qt::Key_PageUp || key == Qt::Key_PageDown)
+            return true;
+        if (!(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) && handleKey(event, isDown))
+            return true;
+    }
+    const bool isArrow = key >= Qt::Key_Left && key <= Qt::Key_Down;
+    const bool isItsOwn = qobject_cast<const QSlider *>(to) || (isField && !m_session.isArming());
+    if (!isDown || !isArrow || isItsOwn || !m_pad->isEnabled())
         return false;
     m_pad->setFocus(Qt::OtherFocusReason);
     QCoreApplication::sendEvent(m_pad, &event);
@@ -169,7 +179,7 @@ bool FlightPage::handleKey(const QKeyEvent &event, bool isDown)
 
 void FlightPage::keyPressEvent(QKeyEvent *event)
 {
-    if (!givesToPad(this, *event)
+    if (!givesToSticks(this, *event)
         && (!(m_session.isArming() || m_directions->isChecking()) || !handleKey(*event, true)))
         Page::keyPressEvent(event);
 }

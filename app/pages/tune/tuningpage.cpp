@@ -419,7 +419,7 @@ void TuningPage::updateState()
     for (QPushButton *button : {m_a, m_b, m_copy})
         button->setEnabled(writable && !m_live.parameters().isEmpty());
     m_revert->setEnabled(writable && m_live.tunedCount() > 0);
-    m_save->setEnabled(writable && changed > 0 && !m_saving);
+    m_save->setEnabled(writable && (changed > 0 || workspace().isUnstored()) && !m_saving);
     m_scroll->setEnabled(writable);
     // It keeps its room while there is no link.
     const Device *device = workspace().client().device();
@@ -434,6 +434,7 @@ void TuningPage::updateState()
         return;
     }
     QString text = changed > 0           ? tr("%n value(s) in use, not stored", nullptr, changed)
+        : workspace().isUnstored()       ? tr("Values in use are not stored")
         : workspace().isStoredKnown()    ? tr("In use: as stored")
         : workspace().canCompareStored() ? tr("Whether what is in use is stored is not known yet")
                                          : tr("Nothing is changed here; this board does not tell what it has "
