@@ -43,6 +43,7 @@ private slots:
     void refusedStoreLeadsToTheLine();
     void doubtsAreReviewed();
     void gainsAreShownAsInTheText();
+    void writtenGainsAreNotStoredYet();
     void gainsAndTextAreWrittenInOneGo();
 
 private:
@@ -308,11 +309,31 @@ void TestBcflightText::gainsAreShownAsInTheText()
         }
         return QString();
     };
-    QTRY_COMPARE(figure(parameters), u"as 90 in the text"_s);
+    QTRY_COMPARE(figure(parameters), u"90 in the text’s numbers"_s);
     m_rig->edit(u"pid.roll.p"_s, 0, double(float(m_rig->raw(u"pid.roll.p"_s) * 1.1)));
-    QTRY_COMPARE(figure(parameters), u"as 99 in the text"_s);
+    QTRY_COMPARE(figure(parameters), u"99 in the text’s numbers"_s);
     m_rig->workspace().edits().undo();
-    QTRY_COMPARE(figure(m_rig->page<TuningPage>()), u"as 90 in the text"_s);
+    QTRY_COMPARE(figure(m_rig->page<TuningPage>()), u"90 in the text’s numbers"_s);
+}
+
+// In use is not stored: the text says what the drone starts with.
+void TestBcflightText::writtenGainsAreNotStoredYet()
+{
+    QVERIFY(!m_rig->workspace().isUnstored());
+    m_rig->edit(u"pid.yaw.p"_s, 0, double(float(m_rig->raw(u"pid.yaw.p"_s) * 1.1)));
+    QVERIFY(write());
+    QTRY_VERIFY(m_rig->jobsAreDone());
+    QVERIFY(m_rig->workspace().isUnstored());
+    auto *bar = window().findChild<UnstoredBar *>();
+    QTRY_VERIFY(bar->isVisibleTo(&window()));
+    auto *tuning = m_rig->page<TuningPage>();
+    QVERIFY(window().showPage(u"tuning"_s));
+    QTRY_VERIFY(tuning->stateText().contains(u"not stored"_s));
+    const auto done = m_rig->workspace().storeAll();
+    QTRY_VERIFY(done.isFinished() && done.result());
+    QVERIFY(held().contains("pid_yaw = PID( 198"));
+    QTRY_VERIFY(!m_rig->workspace().isUnstored());
+    QTRY_VERIFY(!bar->isVisibleTo(&window()));
 }
 
 // The drone restarts after the text; the gains are in use all the same, and the page knows those of the text.

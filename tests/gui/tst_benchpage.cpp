@@ -383,6 +383,15 @@ void TestBenchPage::redButtonSaysThatItIsDeaf()
     // Nothing was said to be unconfirmed while it could not hear.
     QVERIFY2(!told.join(u' ').contains(u"does not confirm yet"_s), qPrintable(told.join(u' ')));
     QTRY_VERIFY_WITH_TIMEOUT(!bench().isUnderWay(), kPatience);
+    // What was proven is past with the next one.
+    const auto says = [this] { return m_rig->window().messageBar()->text().contains(u"You stopped"_s); };
+    QTRY_VERIFY_WITH_TIMEOUT(says(), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(bench().obstacle().isEmpty(), kPatience);
+    QTest::mouseClick(bench().turnButton(), Qt::LeftButton);
+    QVERIFY(confirm(u"The propellers are off"_s));
+    QTRY_VERIFY_WITH_TIMEOUT(!bench().deafText().isEmpty(), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!says(), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!bench().isUnderWay(), kPatience);
 }
 
 void TestBenchPage::fileIsLookedAtFirst()

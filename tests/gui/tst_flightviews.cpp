@@ -115,16 +115,19 @@ void TestFlightViews::motorsStandWhereTheyAre()
 {
     Theme theme;
     MotorDiagram diagram(theme);
-    diagram.resize(300, 300);
     diagram.setMotors(4, kQuad);
     QVERIFY(diagram.hasPlaces());
-    const QPointF middle(150, 150);
-    for (int motor = 1; motor <= 4; ++motor) {
-        const MotorShare &share = kQuad[std::size_t(motor - 1)];
-        const QPointF away = diagram.placeOf(motor) - middle;
-        QCOMPARE(away.x() > 0, share.roll > 0);
-        QCOMPARE(away.y() < 0, share.pitch > 0);
+    for (const int side : {40, 80, diagram.minimumWidth(), 300}) {  // wherever front is, it stays
+        diagram.resize(side, side);
+        const QPointF middle(diagram.width() / 2.0, diagram.height() / 2.0);
+        for (int motor = 1; motor <= 4; ++motor) {
+            const MotorShare &share = kQuad[std::size_t(motor - 1)];
+            const QPointF away = diagram.placeOf(motor) - middle;
+            QCOMPARE(away.x() > 0, share.roll > 0);
+            QCOMPARE(away.y() < 0, share.pitch > 0);
+        }
     }
+    diagram.resize(300, 300);
     // One above the other: both are seen.
     diagram.setMotors(2, {{1, 0, 1, 1}, {1, 0, -1, 1}});
     QVERIFY(QLineF(diagram.placeOf(1), diagram.placeOf(2)).length() > 20);

@@ -426,7 +426,15 @@ void TestBcflightCtl::textIsReadComparedAndWritten()
     const Run gain = ctl(link + QStringList{u"get"_s, u"pid.roll.p"_s});
     QVERIFY2(gain.err.contains(u"pid.roll.p stands as 99 in the configuration text"_s), qPrintable(gain.err));
     QVERIFY(gain.out.trimmed().toDouble() > 0.0015);
-    QVERIFY(ctl(link + QStringList{u"list"_s, u"pid.roll.p"_s}).out.contains(u"99 in the text"_s));
+    const auto listed = [&link] { return ctl(link + QStringList{u"list"_s, u"pid.roll.p"_s}).out; };
+    QVERIFY(listed().contains(u"99 in the text"_s));
+    QVERIFY(!listed().contains(u"not stored"_s));
+    // What is set is in use, and the text has what it had.
+    QCOMPARE(ctl(link + QStringList{u"set"_s, u"pid.roll.p=0.0018"_s, u"--confirmed"_s}).exitCode, 0);
+    const Run used = ctl(link + QStringList{u"get"_s, u"pid.roll.p"_s});
+    QVERIFY2(used.err.contains(u"not stored: the text has 99"_s), qPrintable(used.err));
+    QVERIFY(!used.err.contains(u"where it is stored"_s));
+    QVERIFY2(listed().contains(u"not stored: the text has 99"_s), qPrintable(listed()));
 }
 
 void TestBcflightCtl::textIsCheckedWithoutADrone()

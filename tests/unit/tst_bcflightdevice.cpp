@@ -301,6 +301,17 @@ void TestBcflightDevice::gainsAreStoredInTheText()
     QVERIFY(!rig.board().isLost());
     // Nothing differs: nothing is uploaded, and it does not restart.
     QCOMPARE(rig.perform("gains.store").value().value(u"changed"_s).toInt(), 0);
+    // Each is told by its own name.
+    for (const AdjustableSpec &spec : rig.device.adjustables()) {
+        if (spec.id >= kRateGains)
+            continue;
+        const double used = rig.board().gains()[std::size_t(spec.id / 3)][std::size_t(spec.id % 3)];
+        const double next = double(float(used + 0.001));
+        QVERIFY(rig.device.writeAdjustables(rig.channel, {{spec.id, next}}));
+        const auto told = rig.perform("gains.store");
+        QVERIFY2(told && told->contains(QLatin1String(spec.key)), spec.key);
+        QCOMPARE(told->value(u"changed"_s).toInt(), 1);
+    }
 }
 
 void TestBcflightDevice::textThatCannotBeEditedIsLeftAlone_data()
