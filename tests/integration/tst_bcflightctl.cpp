@@ -442,6 +442,8 @@ void TestBcflightCtl::textIsCheckedWithoutADrone()
     const Run good = ctl({u"config"_s, u"check"_s, save(u"good.lua"_s, "a = 1\n")});
     QVERIFY2(good.exitCode == 0 && good.out == u"valid lua\n"_s, qPrintable(good.out + good.err));
     QVERIFY(good.err.contains(u"does not prove"_s));
+    const Run odd = ctl({u"config"_s, u"check"_s, save(u"odd.lua"_s, "a = 1\nos.execute( \"reboot\" )\n")});
+    QVERIFY2(odd.exitCode == 0 && odd.out.contains(u"against it: line 2: os.execute"_s), qPrintable(odd.out));
     const Run bad = ctl({u"--json"_s, u"config"_s, u"check"_s, save(u"bad.lua"_s, "a = 1\nb = = 2\n")});
     QCOMPARE(bad.exitCode, 1);
     QVERIFY(!bad.json().value(u"valid"_s).toBool(true));
