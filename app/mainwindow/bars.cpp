@@ -277,6 +277,10 @@ UnstoredBar::UnstoredBar(Workspace &workspace, QWidget *parent)
     connect(&workspace, &Workspace::guidedChanged, this, &UnstoredBar::refresh);
     connect(&workspace.live(), &LiveModel::changeCountChanged, this, &UnstoredBar::refresh);
     connect(&workspace.live(), &LiveModel::heldChanged, this, &UnstoredBar::refresh);
+    connect(&workspace.live(), &LiveModel::leapt, this, [this](const ParameterChange &change) {
+        const auto goOn = [this, id = change.spec->id, to = change.to] { m_workspace.live().agree(id, to); };
+        askAboutLeap(m_workspace, change, this, goOn);
+    });
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &UnstoredBar::refresh);
     refresh();
 }

@@ -130,12 +130,6 @@ void MainWindow::connectFrame()
                 connect(panel, &QDialog::finished, &confirmations, over, Qt::QueuedConnection);
             });
     connect(m_stack, &QStackedWidget::currentChanged, &confirmations, &Confirmations::withdraw);
-    connect(&workspace->live(), &LiveModel::leapt, m_panels,
-            [this, workspace](const ParameterChange &change) {
-                const auto goOn
-                    = [workspace, id = change.spec->id, to = change.to] { workspace->live().agree(id, to); };
-                askAboutLeap(*workspace, change, this, goOn);
-            });
     m_status->follow(*m_keys);
     m_keys->serve(*m_linkBar->motorsButton());
     connect(m_linkBar, &LinkBar::disconnectRequested, this, [this] {

@@ -75,7 +75,7 @@ constexpr int kExecutable = 2;
 constexpr int kShared = 3;
 constexpr int kIntel = 3;
 constexpr int kAmd64 = 62;
-constexpr int kArm = 40;
+constexpr int kArm32 = 40;
 constexpr int kArm64 = 183;
 
 int elfWord(const QByteArray &image, qsizetype at)
@@ -207,7 +207,7 @@ bool isDroneProgram(const QByteArray &image)
     if (!image.startsWith(kElf) || image.size() < kSmallestImage)
         return false;
     const int machine = elfWord(image, kElfMachine);
-    return machine == kArm || machine == kArm64;
+    return machine == kArm32 || machine == kArm64;
 }
 
 const char *Device::doubt(const QString &action, const QVariantMap &arguments) const

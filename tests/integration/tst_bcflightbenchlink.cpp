@@ -199,7 +199,7 @@ void TestBcflightBenchLink::firmwareComesThroughLosses()
 void TestBcflightBenchLink::firmwareNeedsABatteryThatLasts()
 {
     const QString file = m_dir.filePath(u"next"_s);
-    QVERIFY(writeWhole(file, QByteArray("version 6.0\n").leftJustified(5000, 'x')));
+    QVERIFY(writeWhole(file, QByteArray("version 6.0\n").leftJustified(5000, '\x01')));
     // The voltage alone takes the second one for three full cells; the drone has counted four.
     for (const QString &volts : {u"13.2"_s, u"12.6"_s}) {
         const SimProcess drone({u"--udp"_s, u"0"_s, u"--fault"_s, u"battery="_s + volts}, u"bcflight"_s);
@@ -221,7 +221,7 @@ void TestBcflightBenchLink::commandsOfTheBench()
     const auto ctl
         = [&](const QStringList &command) { return Running(m_dir.path(), link + command).finish(); };
     const QString file = m_dir.filePath(u"new"_s);
-    QVERIFY(writeWhole(file, QByteArray("version 5.0\n").leftJustified(5000, 'x')));
+    QVERIFY(writeWhole(file, QByteArray("version 5.0\n").leftJustified(5000, '\x01')));
     // What it would do is confirmed, its state is looked at, and words that make no sense are refused.
     QCOMPARE(ctl({u"motor-test"_s, u"1"_s}).exitCode, 2);
     const Run early = ctl({u"motor-test"_s, u"1"_s, u"--confirmed"_s});
@@ -241,6 +241,7 @@ void TestBcflightBenchLink::commandsOfTheBench()
     const Run uploaded = ctl({u"--json"_s, u"upload"_s, file, u"--confirmed"_s});
     QVERIFY2(uploaded.exitCode == 0, qPrintable(uploaded.err));
     QVERIFY(uploaded.json().value(u"done"_s).toBool());
+    QVERIFY2(uploaded.err.contains(u"Nothing in the file shows"_s), qPrintable(uploaded.err));
     QCOMPARE(uploaded.json().value(u"reply"_s).toObject().value(u"firmware"_s).toString(), u"5.0"_s);
     QCOMPARE(ctl({u"--json"_s, u"info"_s}).json().value(u"firmware"_s).toString(), u"5.0"_s);
     // The same version again proves nothing: it is told as sent.
