@@ -1064,6 +1064,7 @@ void TestFlight::foundAgainItIsDisarmed()
     QVERIFY(arm());
     page().throttle()->setValue(20);
     QVERIFY(isSoon(m_rig->client().roles().outputs, 1));
+    QSignalSpy stopped(&m_rig->client(), &DeviceClient::motorsOffFinished);
     m_rig->workspace().changeWorld(u"replug=5"_s);
     m_rig->workspace().changeWorld(u"unplug=0"_s);
     QTRY_VERIFY_WITH_TIMEOUT(page().session().phase() == Phase::Closed, kPatience);
@@ -1071,6 +1072,8 @@ void TestFlight::foundAgainItIsDisarmed()
     QVERIFY(isSoon(m_rig->client().roles().armed, 0));
     QVERIFY(isSoon(m_rig->client().roles().outputs, 0));
     QCOMPARE(page().session().phase(), Phase::Closed);
+    // By the stop that was not proven before. Without one its steering is ended: see tst_bcflightbenchlink.
+    QTRY_VERIFY_WITH_TIMEOUT(!stopped.isEmpty() && stopped.last().first().toBool(), kPatience);
 }
 
 void TestFlight::lostLinkIsWarnedOf()
