@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/configuration/memoryimage.h"
 #include "protocol/simplebgc/device.h"
 #include "protocol/simplebgc/parametertables.h"
 
@@ -90,6 +91,10 @@ private:
     Result<ActionReply> saveMemory(const QVariantMap &arguments);
     Result<ActionReply> restoreMemory(const QVariantMap &arguments);
     Result<ActionReply> compareMemory(const QVariantMap &arguments);
+    Result<ActionReply> eraseAllFiles(const QVariantMap &arguments);
+    Result<ActionReply> saveCalibrations(const QVariantMap &arguments);
+    Result<ActionReply> compareCalibrations(const QVariantMap &arguments);
+    Result<ActionReply> restoreCalibrations(const QVariantMap &arguments);
     // expertactions.cpp
     Result<ActionReply> i2cScan(const QVariantMap &arguments);
     Result<ActionReply> i2cReadRegisters(const QVariantMap &arguments);
@@ -160,8 +165,30 @@ private:
     /// Registers of a device on a bus; asked once. Errors: Timeout or BoardError where nobody is there, those
     /// of the link.
     Result<QByteArray> i2cRead(int bus, int device, int reg, int length);
-    /// The first bytes of the board's memory. Errors: BadReply, those of the link.
-    Result<QByteArray> readMemory(int size);
+    /// Of this board, without contents.
+    [[nodiscard]] MemoryImage blankImage() const;
+    /// Errors: Unsupported where the board does not tell it.
+    [[nodiscard]] Result<int> memorySize() const;
+    /// Adds what is missing at the end. Errors: BadReply, Cancelled, those of the link; what was read by then
+    /// is there.
+    Result<void> readMemory(QByteArray &image, int size);
+    /// Adds those that are missing. Errors: Unsupported where the board keeps none, BoardError, and as above.
+    Result<void> readFiles(MemoryImage::Files &files, const std::function<bool(int kind)> &isWanted);
+    /// Both.
+    Result<void> readBoard(MemoryImage &image, int size, bool withFiles);
+    /// Into a file. Errors: BadFile, and as above.
+    Result<MemoryImage> copyBoard(const QString &path, bool withFiles);
+    /// Errors: ConditionUnmet where a copy is of another board or firmware.
+    [[nodiscard]] Result<void> checkFits(const MemoryImage &image, bool isForeignMeant) const;
+    [[nodiscard]] static Error otherSize(const QString &path, const MemoryImage &image, int size);
+    /// How many bytes were written. Errors: NoEffect, those of the board and of the link.
+    Result<int> writeMemory(const QByteArray &now, const QByteArray &wanted);
+    /// How many were written or erased. @param isMeant the kinds that are in both; errors as above
+    Result<int> writeFiles(const MemoryImage::Files &now, const MemoryImage::Files &wanted,
+                           const std::function<bool(int kind)> &isMeant);
+    /// The memory with a copy's settings in it, as far as their place is found. Errors: ConditionUnmet.
+    Result<QByteArray> withSettings(const QByteArray &now, const MemoryImage &image, ActionReply &reply);
+    Result<MemoryImage> readCalibrations();
     /// A file of the board. Errors: BoardError with the board's code, BadReply, those of the link.
     Result<QByteArray> readFile(int type, int index);
     Result<void> putFile(int type, int index, const QByteArray &content);

@@ -147,9 +147,15 @@ constexpr EntryEffect kSetEntries[] = {
     {.value = 3, .risk = ActionRisk::Destroys, .memory = MemoryEffect::Reloads, .isShown = false, .letsGo = true, .argument = "action"}};
 constexpr ArgumentSpec kDataArguments[] = {{.key = "data", .label = "Bytes (hex)", .kind = ArgumentKind::Text}};
 constexpr ArgumentSpec kPathArguments[] = {{.key = "file", .label = "File", .kind = ArgumentKind::Text}};
+constexpr ArgumentSpec kSaveArguments[] = {
+    {.key = "file", .label = "File", .kind = ArgumentKind::Text},
+    {.key = "files", .label = "With the board's files", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
+constexpr Choice kMemoryParts[] = {{kWholeMemory, "all"}, {1, "settings"}};
 constexpr ArgumentSpec kRestoreArguments[] = {
     {.key = "file", .label = "File", .kind = ArgumentKind::Text},
+    {.key = "part", .label = "What of it", .kind = ArgumentKind::Choice, .choices = kMemoryParts, .defaultText = "all"},
     {.key = "other", .label = "Also from another board", .kind = ArgumentKind::Toggle, .defaultText = "off"}};
+constexpr ArgumentSpec kCalibrationFile[] = {kRestoreArguments[0], kRestoreArguments[2]};
 constexpr ArgumentSpec kFileArguments[] = {
     {.key = "type", .label = "Kind", .kind = ArgumentKind::Choice, .choices = kFileTypes},
     {.key = "number", .label = "Number", .kind = ArgumentKind::Integer, .min = 0, .max = 255},
@@ -306,21 +312,35 @@ constexpr ActionSpec kActions[] = {
     {.key = "external.read", .label = "Read user data", .help = "128 bytes that the board keeps for others.", .group = "Memory"},
     {.key = "external.write", .label = "Write user data", .help = "Replaces the 128 bytes that the board keeps for others.",
      .group = "Memory", .risk = ActionRisk::Writes, .arguments = kDataArguments},
-    {.key = "memory.save", .label = "Copy the whole memory", .help = "Copies the board's memory into a file, byte for byte.",
+    {.key = "memory.save", .label = "Copy the whole board",
+     .help = "Copies the board's memory and its files into a file, byte for byte, and reads all twice. Of each kind files 0 to 15 are asked for: no command lists them.",
+     .group = "Memory", .arguments = kSaveArguments, .isProcedure = true, .units = kByteUnits},
+    {.key = "memory.compare", .label = "Compare the whole board",
+     .help = "Compares the board's memory and files with a copy. Parameters are named where their place can be found; no document tells it.",
      .group = "Memory", .arguments = kPathArguments, .isProcedure = true, .units = kByteUnits},
-    {.key = "memory.compare", .label = "Compare the whole memory",
-     .help = "Compares the board's memory with a copy of it. Parameters are named where their place can be found; no document tells it.",
-     .group = "Memory", .arguments = kPathArguments, .isProcedure = true, .units = kByteUnits},
-    {.key = "memory.restore", .label = "Restore whole memory",
-     .help = "Writes a copy of the memory back and compares it. It is in use after a restart.", .group = "Memory",
-     .risk = ActionRisk::Destroys, .arguments = kRestoreArguments, .isProcedure = true, .memory = MemoryEffect::Erases,
+    {.key = "memory.restore", .label = "Restore the whole board",
+     .help = "Writes a copy of memory and files back and compares. Settings alone leave calibrations, licence and all that no document describes as it is. "
+             "It is in use after a restart.",
+     .group = "Memory", .risk = ActionRisk::Destroys, .arguments = kRestoreArguments, .isProcedure = true, .memory = MemoryEffect::Erases,
      .confirm = "Everything that the board keeps is replaced", .units = kByteUnits},
+    {.key = "calibration.save", .label = "Copy the calibrations", .help = "Copies the calibrations that the board keeps in files, and what it tells of the others.",
+     .group = "Calibration", .arguments = kPathArguments, .isProcedure = true},
+    {.key = "calibration.compare", .label = "Compare the calibrations", .help = "Compares the board's calibrations with a copy.",
+     .group = "Calibration", .arguments = kPathArguments, .isProcedure = true},
+    {.key = "calibration.restore", .label = "Restore the calibrations",
+     .help = "Writes the calibrations that are in a copy back and compares. They are in use after a restart.",
+     .group = "Calibration", .risk = ActionRisk::Destroys, .arguments = kCalibrationFile, .isProcedure = true,
+     .confirm = "The sensors and motors are those from which the copy was made"},
     {.key = "file.save", .label = "Save a file of the board", .help = "Copies a file of the board's file system.", .group = "Memory",
      .arguments = kFileArguments, .isProcedure = true, .units = kByteUnits},
     {.key = "file.load", .label = "Load a file into the board", .help = "Writes a file into the board's file system and compares it.",
      .group = "Memory", .risk = ActionRisk::Destroys, .arguments = kFileArguments, .isProcedure = true, .units = kByteUnits},
     {.key = "file.erase", .label = "Erase a file of the board", .help = "Takes a file out of the board's file system.",
      .group = "Memory", .risk = ActionRisk::Destroys, .arguments = std::span(kFileArguments).first(2)},
+    {.key = "file.erase_all", .label = "Erase all files of the board",
+     .help = "Copies the whole board into a new file first. Then scripts, calibrations and everything else in the board's file system are gone.",
+     .group = "Memory", .risk = ActionRisk::Destroys, .arguments = kPathArguments, .isProcedure = true,
+     .confirm = "Scripts and calibrations are to be erased"},
     {.key = "script", .label = "Run script", .help = "Starts or stops a script that is in the board.", .group = "Motion",
      .risk = ActionRisk::Moves, .arguments = kScriptArguments, .isShown = false},
     {.key = "script.list", .label = "List scripts", .help = "The slots that hold a script, with its size.", .group = "Read",

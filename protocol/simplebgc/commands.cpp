@@ -3,8 +3,10 @@
 #include "protocol/simplebgc/commands.h"
 
 #include "protocol/base/checksum.h"
+#include "protocol/simplebgc/choices.h"
 #include "protocol/simplebgc/messages.h"
 
+#include <algorithm>
 #include <array>
 
 using namespace Qt::StringLiterals;
@@ -108,7 +110,7 @@ std::optional<Error> refusalOf(const FrameView &frame, int command)
     if (frame.payload.size() < kSeedErrorPayload)
         return {};
     const int code = reader.u8();
-    return Error{ErrorCode::BoardError, commandName(command) + u": "_s + errorCodeText(code), code};
+    return Error{ErrorCode::BoardError, commandName(command) + u": "_s + errorCodeText(code, command), code};
 }
 
 bool isConfirmOf(const FrameView &frame, CommandId id)
@@ -117,8 +119,17 @@ bool isConfirmOf(const FrameView &frame, CommandId id)
         && std::to_integer<int>(frame.payload[0]) == number(id);
 }
 
-QString errorCodeText(int code)
+QString errorCodeText(int code, int command)
 {
+    constexpr std::array kOfMemory{CommandId::EepromWrite, CommandId::EepromRead, CommandId::ReadFile,
+                                   CommandId::WriteFile, CommandId::FsClearAll};
+    const bool isOfMemory = std::any_of(kOfMemory.begin(), kOfMemory.end(),
+                                        [command](CommandId each) { return number(each) == command; });
+    // Which of both meanings the board has in mind nobody outside can tell (errata 3.18).
+    for (const Choice &word : kFileCodes) {
+        if (isOfMemory && word.value == code && code != 0)
+            return u"%1 / %2"_s.arg(QLatin1String(word.name), errorCodeText(code));
+    }
     constexpr std::array<const char *, 12> texts{
         "no error",        "wrong payload size", "wrong parameters",
         "wrong device ID", "encryption failure", "battery calibration failed",

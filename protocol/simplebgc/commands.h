@@ -40,6 +40,7 @@ enum class CommandId : std::uint8_t {
     AdjVarsState = 46,
     EepromWrite = 47,
     EepromRead = 48,
+    CalibInfo = 49,
     BootMode3 = 51,
     ReadFile = 53,
     WriteFile = 54,
@@ -125,6 +126,7 @@ constexpr int number(CommandId id)
 [[nodiscard]] bool isConfirmOf(const FrameView &frame, CommandId id);
 
 /// Meaning of an ERROR code, in the document's words (errata 3.18): "wrong payload size".
-[[nodiscard]] QString errorCodeText(int code);
+/// @param command that was refused: those of memory and files have words of their own beside
+[[nodiscard]] QString errorCodeText(int code, int command = 0);
 
 }  // namespace simplebgc

@@ -226,8 +226,8 @@ QString fromBoardText(CommandId id, Bytes payload, const ParameterSet *parameter
     case CommandId::Confirm: return confirmText(payload);
     case CommandId::Error: {
         // The document's five-byte form does not name the command (errata 3.18).
-        const QString command = payload.size() >= 6 ? commandName(reader.u8()) + u": "_s : QString();
-        return command + errorCodeText(reader.u8());
+        const int command = payload.size() >= 6 ? reader.u8() : 0;
+        return (command ? commandName(command) + u": "_s : QString()) + errorCodeText(reader.u8(), command);
     }
     case CommandId::BoardInfo: {
         const auto info = BoardInfo::decode(payload);

@@ -78,6 +78,7 @@ constexpr StepWords kStepWords[] = {
     {"calibrate-magnetometer", QT_TRANSLATE_NOOP("ErrorText", "Turn the camera in all directions: %1 of 8 are seen"), true},
     {"read-memory", QT_TRANSLATE_NOOP("ErrorText", "Reading the board's memory")},
     {"write-memory", QT_TRANSLATE_NOOP("ErrorText", "Writing the board's memory")},
+    {"read-files", QT_TRANSLATE_NOOP("ErrorText", "Searching the board's files")},
     {"read-file", QT_TRANSLATE_NOOP("ErrorText", "Reading a file of the board")},
     {"write-file", QT_TRANSLATE_NOOP("ErrorText", "Writing a file of the board")},
     {"search-bus", QT_TRANSLATE_NOOP("ErrorText", "Asking each address of the bus")},

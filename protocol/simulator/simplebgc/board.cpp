@@ -156,6 +156,7 @@ void SimulatedBoard::boot()
     m_sensorRegisters.clear();
     for (std::size_t i = 0; i < kAxisCount; ++i)
         m_stabilizer.imu().gyroCorrection[i] -= std::exchange(m_gyroTold[i], 0.0);
+    bootCalibrations();
     ++m_starts;
     for (const Axis axis : kAxes)
         m_stabilizer.setTarget(axis, 0.0);
@@ -453,6 +454,7 @@ void SimulatedBoard::updateCalibration()
             m_frameImu.accCorrection = {mean[0], mean[1], mean[2] - 1.0};
         else
             finishAccCalibration(mean);
+        keepCalibration(isFrame ? kFrameImu : kMainImu);
     }
     if (!isFrame) {
         m_stabilizer.setHeld(false);

@@ -36,6 +36,7 @@ inline constexpr int kMemorySize = 32768;
 inline constexpr int kScriptSlots = 5;
 inline constexpr int kFcRollPin = 3;  ///< as signal sources count them (errata 4.3)
 inline constexpr int kFcPitchPin = 4;
+inline constexpr int kMainImu = 1;
 inline constexpr int kFrameImu = 2;  ///< of SELECT_IMU_3 and calibrations
 inline constexpr int kSafeStop = 2;  ///< of MOTORS_OFF
 inline constexpr int kMiddleStability = 128;  ///< of AUTO_PID, where nobody tells it
@@ -166,6 +167,10 @@ private:
     void takeFile(const Frame &frame);
     void runScript(int slot, bool isDebugged, int version);
     void updateScript();
+    void keepCalibration(int imu);
+    void bootCalibrations();
+    [[nodiscard]] SimulatedImu &sensor(int imu) { return imu == kFrameImu ? m_frameImu : m_stabilizer.imu(); }
+    [[nodiscard]] QByteArray calibrationInfo(int imu) const;
     // motors and pins (mounting.cpp)
     bool handleMotors(const Frame &frame);
     bool startMotorCalibration(const Frame &frame, double seconds);

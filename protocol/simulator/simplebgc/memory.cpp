@@ -6,6 +6,7 @@
 #include "protocol/simulator/simplebgc/board.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -27,6 +28,9 @@ constexpr int kNoSpace = 4;
 constexpr int kWrongFileSize = 6;
 constexpr int kBackupSlot = 6;
 constexpr double kLineTime = 0.1;  // seconds of a script's command
+constexpr int kCalibrationFile = 3;
+constexpr double kCalibrationUnit = 1e-6;
+constexpr double kAccCounts = 512;  // per g
 
 void place(QByteArray &memory, int at, const QByteArray &bytes)
 {
@@ -103,6 +107,12 @@ bool SimulatedBoard::handleMemory(const Frame &frame)
         confirm(frame, ByteWriter().u32(address).take());
         return true;
     }
+    case CommandId::CalibInfo:
+        if (m_options.firmware < kLater)
+            return false;
+        if (hasSize(frame, 12))
+            reply(frame, CommandId::CalibInfo, calibrationInfo(reader.u8()));
+        return true;
     case CommandId::ReadExternalData: reply(frame, CommandId::ReadExternalData, m_external); return true;
     case CommandId::WriteExternalData:
         if (hasSize(frame, kExternalSize)) {
@@ -234,6 +244,48 @@ int SimulatedBoard::loadProfileSet(int index)
 void SimulatedBoard::runScript(int slot, bool isDebugged, int version)
 {
     m_script = {slot, isDebugged, m_now + kLineTime, 0, version};
+}
+
+// Each sensor's calibration is a file of its own, which counts from the next start on. What is in it no
+// document tells; here these are the figures.
+void SimulatedBoard::keepCalibration(int imu)
+{
+    const SimulatedImu &from = sensor(imu);
+    ByteWriter writer;
+    for (const auto &figures : {from.gyroCorrection, from.accCorrection, from.accScale}) {
+        for (const double figure : figures)
+            writer.i32(qint32(std::lround(figure / kCalibrationUnit)));
+    }
+    m_files[kCalibrationFile + ((imu - 1) << 8)] = writer.take();
+}
+
+void SimulatedBoard::bootCalibrations()
+{
+    for (const int imu : {kMainImu, kFrameImu}) {
+        const QByteArray file = m_files.value(kCalibrationFile + ((imu - 1) << 8));
+        if (file.isEmpty())
+            continue;
+        ByteReader reader(file);
+        SimulatedImu &to = sensor(imu);
+        for (auto *figures : {&to.gyroCorrection, &to.accCorrection, &to.accScale}) {
+            for (double &figure : *figures)
+                figure = reader.i32() * kCalibrationUnit;
+        }
+    }
+}
+
+QByteArray SimulatedBoard::calibrationInfo(int imu) const
+{
+    const bool isFrame = (imu == 0 ? m_imu : imu) == kFrameImu;
+    int limits = 0;
+    for (std::size_t i = 0; i < kAxisCount && !isFrame; ++i)
+        limits |= (m_accLimits[i][1] ? 1 : 0) << (2 * i) | (m_accLimits[i][0] ? 2 : 0) << (2 * i);
+    const double done = m_calibration.left > 0 ? 1.0 - m_calibration.left / m_calibration.total : 0.0;
+    ByteWriter writer;
+    writer.u8(int(100 * done)).u8(isFrame ? kFrameImu : kMainImu);
+    for (std::size_t i = 0; i < kAxisCount; ++i)
+        writer.i16(int(std::lround((isFrame ? m_frameRawAcc[i] : m_stabilizer.rawAcc(i)) * kAccCounts)));
+    return writer.u16(0).u8(0).u8(limits).i8(celsius(31)).zeros(20).take();
 }
 
 // What is compiled nobody outside can read, so it runs from the first to the last byte and does nothing.
