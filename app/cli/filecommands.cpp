@@ -73,8 +73,17 @@ Result<CommandOutcome> compareImages(const QString &first, const QString &second
                             .arg(difference.from.size())
                             .arg(difference.text());
     }
+    // Where one of the copies was made without them, nothing is said of files.
+    const auto files
+        = from->files && to->files ? fileDifferences(*from->files, *to->files) : QMap<QString, QString>();
+    for (auto it = files.begin(); it != files.end(); ++it) {
+        array.append(QJsonObject{{u"file"_s, it.key()}, {u"change"_s, *it}});
+        outcome.text += u"%1 differs: %2\n"_s.arg(it.key().leftJustified(16), *it);
+    }
     outcome.json = array;
     QStringList notes;
+    if (from->files.has_value() != to->files.has_value())
+        notes.append(u"only one of both copies holds the board's files, so these were not compared"_s);
     if (from->serial != to->serial)
         notes.append(u"of two boards: %1 and %2"_s.arg(from->serial, to->serial));
     if (from->firmware != to->firmware)

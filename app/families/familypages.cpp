@@ -12,6 +12,7 @@
 #include "app/families/simplebgc/autotunepage.h"
 #include "app/families/simplebgc/calibrationpage.h"
 #include "app/families/simplebgc/signalspage.h"
+#include "app/families/simplebgc/wholeboardpage.h"
 #endif
 #if GIMBAL_WITH_STORM32
 #include "app/families/storm32/sensorpage.h"
@@ -34,6 +35,7 @@ QList<PageEntry> familyPages()
     pages += {
         {"calibration", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<CalibrationPage>, nullptr, "simplebgc", "profiles"},
         {"signals", QT_TRANSLATE_NOOP("Pages", "Signals"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<SignalsPage>, nullptr, "simplebgc", "control"},
+        {"wholeboard", QT_TRANSLATE_NOOP("Pages", "Whole board"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<WholeBoardPage>, nullptr, "simplebgc", "backups"},
         {"autotune", QT_TRANSLATE_NOOP("Pages", "Auto-tune"), QT_TRANSLATE_NOOP("Pages", "Tune"), makePage<AutoTunePage>, nullptr, "simplebgc", "response"},
     };
 #endif

@@ -299,6 +299,7 @@ void Tour::addCalibrationSteps()
                     true});
     addRemoteSteps();
     m_steps.append({u"signals"_s, show(u"signals"_s), {}, 800, {}, false});
+    m_steps.append({u"wholeboard"_s, show(u"wholeboard"_s), {}, 400, {}, false});
     m_steps.append({u"calibration"_s, show(u"calibration"_s), {}, 400, {}, false});
     m_steps.append({u"calibration-waiting"_s,
                     [this, page] {

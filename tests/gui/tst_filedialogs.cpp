@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/families/bcflight/benchpage.h"
+#include "app/families/simplebgc/wholeboardpage.h"
 #include "app/families/storm32/sensorpage.h"
 #include "app/pages/board/backupspage.h"
 #include "app/pages/board/consolepage.h"
@@ -147,6 +148,8 @@ const Caller kCallers[]{
     {"load calibration", "app/families/storm32/sensorpage.cpp Load a calibration", false, "storm32", [](WindowRig &rig) { press<SensorPage>(rig, u"Load a calibration…"); }},
     {"save calibration", "app/families/storm32/sensorpage.cpp Save the calibration", true, "storm32", saveCalibration},
     {"firmware", "app/families/bcflight/benchcards.cpp Firmware", false, "bcflight", [](WindowRig &rig) { press<BenchPage>(rig, u"Choose a file…"); }, true},
+    {"copy of a board", "app/families/simplebgc/copycard.cpp Copy into a file", true, "simplebgc", [](WindowRig &rig) { press<WholeBoardPage>(rig, u"Copy the board…"); }},
+    {"board compared", "app/families/simplebgc/copycard.cpp Choose a copy", false, "simplebgc", [](WindowRig &rig) { press<WholeBoardPage>(rig, u"Compare…"); }},
     {"load document", "app/pages/setup/documentspage.cpp Load a document", false, "toy", [](WindowRig &rig) { press<DocumentsPage>(rig, u"Load file…"); }},
     {"save document", "app/pages/setup/documentspage.cpp Save the document", true, "toy", [](WindowRig &rig) { press<DocumentsPage>(rig, u"Save file…"); }},
 };

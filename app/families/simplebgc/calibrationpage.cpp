@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/families/simplebgc/calibrationpage.h"
 
+#include "app/families/simplebgc/copycard.h"
 #include "app/workspace/question.h"
 #include "app/workspace/wizardparts.h"
 #include "protocol/base/linkloss.h"
@@ -101,7 +102,21 @@ QWidget *CalibrationPage::makeChooser()
     auto *row = new QHBoxLayout;
     row->setSpacing(12);
     column->addLayout(row);
-    column->addStretch(1);
+    m_copies = new CopyCard(
+        workspace(), tr("Copies of the calibrations"),
+        tr("Keep the calibrations that the board holds in files, and compare what it has now with what it "
+           "had "
+           "before. What its sensors keep themselves no command reads."),
+        u"calibration.bin"_s,
+        {{tr("Copy…"), tr("Into a file; nothing on the board is changed"), u"calibration.save"_s, true},
+         {tr("Compare…"), tr("Tell what differs between a copy and the board"), u"calibration.compare"_s},
+         {tr("Restore…"),
+          tr("Write the calibrations of a copy"),
+          u"calibration.restore"_s,
+          false,
+          {},
+          true}});
+    column->addWidget(m_copies, 1);
     const auto add
         = [&](Kind kind, const QString &title, const QString &text, const QString &button, int face) {
               connect(addMethod(*row, workspace().theme(), title, text, button, face), &QPushButton::clicked,
@@ -184,6 +199,8 @@ void CalibrationPage::updateButtons()
 {
     const bool can = !workspace().client().device() || workspace().hasAction(u"calibrate.gyro"_s);
     for (QPushButton *button : m_stack->widget(0)->findChildren<QPushButton *>()) {
+        if (m_copies->isAncestorOf(button))
+            continue;
         button->setEnabled(workspace().client().isConnected() && workspace().client().identity().writable
                            && can);
         button->setToolTip(can ? QString() : tr("This board has no command for it."));

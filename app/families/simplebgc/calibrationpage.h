@@ -7,6 +7,7 @@
 
 #include <QTimer>
 
+class CopyCard;
 class FaceList;
 class QProgressBar;
 class QPushButton;
@@ -33,6 +34,7 @@ public:
     [[nodiscard]] QPushButton *continueButton() const { return m_continue; }
     [[nodiscard]] QPushButton *cancelButton() const { return m_cancel; }
     [[nodiscard]] QPushButton *backButton() const { return m_back; }
+    [[nodiscard]] CopyCard *copies() const { return m_copies; }
     /// The sensor has been still for long enough and lies as it should.
     [[nodiscard]] bool isSatisfied() const { return m_satisfied; }
     /// Positions that are done.
@@ -74,6 +76,7 @@ private:
     double m_motion = 0;  // standard deviation of the gyroscope, deg/s
     bool m_satisfied = false;
     QStackedWidget *m_stack;
+    CopyCard *m_copies = nullptr;
     QLabel *m_what;
     QLabel *m_sees;
     QLabel *m_result;
