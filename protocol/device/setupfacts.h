@@ -26,6 +26,7 @@ struct SetupKeys
     QString axisUp;
     QString axisRight;
     QString poles;
+    QString motorInverted;
     QString motorPower;  ///< which can be changed in use alone
     QString motorOutput;  ///< 0: no motor turns that axis
     QString lowest;  ///< degrees that steering reaches

@@ -43,9 +43,6 @@ constexpr double kLetGoSeconds = 2;
 constexpr double kSwingSeconds = 4;
 constexpr double kBalanced = 8;  // degrees: a light push moves it by some
 constexpr double kStirred = 7;  // deg/s from least to most: less is a camera that was never let go
-// Motors.
-constexpr double kRunSeconds = 4;
-constexpr double kRunaway = 25;  // degrees away from the target, and no longer falling back to it
 
 }  // namespace
 
@@ -412,75 +409,4 @@ Result<SetupResult> SetupGuide::balance()
     result.remarks = QStringList{isBalanced ? u"balance.good"_s : u"balance.bad"_s};
     result.state = isBalanced ? SetupResult::State::Done : SetupResult::State::Poor;
     return result;
-}
-
-Result<SetupResult> SetupGuide::motors()
-{
-    const auto read = [this]() { return m_device.readConfiguration(m_channel); };
-    const auto base = read();
-    if (!base)
-        return tl::unexpected(base.error());
-    // What nobody knows yet does not hold the camera; the board turns its motors by itself.
-    if (const auto off = switchOff(); !off)
-        return tl::unexpected(off.error());
-    const auto done
-        = performSafely(m_channel, m_device, m_keys.findPoles, {}, m_history, m_live, &m_telemetry);
-    if (!done)
-        return tl::unexpected(done.error());
-    const auto now = read();
-    if (!now)
-        return tl::unexpected(now.error());
-    SetupResult result;
-    result.snapshot = done->snapshotPath;
-    list(*base, *now, result);
-    const int profile = now->activeProfile();
-    for (const Axis axis : kAxes) {
-        const ParameterSpec *spec = find(m_keys.poles, axis);
-        const auto is = spec ? now->raw(*spec, profile) : std::nullopt;
-        const auto was = spec ? base->raw(*spec, profile) : std::nullopt;
-        if (is && was)
-            result.figures.append({setupFigureKey("poles", axis), spec->toDisplay(*is),
-                                   *is == *was ? std::nullopt : std::optional(spec->toDisplay(*was))});
-    }
-    result.remarks = QStringList{result.changes.isEmpty() ? u"motors.same"_s : u"motors.changed"_s};
-    auto run = keepTrial(m_history, *base, *now);
-    if (run)
-        run = runMotors(result);
-    if (!run) {
-        // Whoever gives it up does not leave what nobody has seen to hold.
-        m_channel.stopMotors(m_device.stopPlan());
-        return tl::unexpected(takenBack(run.error()));
-    }
-    dropTrial(m_history, m_device.identity());
-    return result;
-}
-
-// They run, and are watched: what was found has to hold the camera.
-Result<void> SetupGuide::runMotors(SetupResult &result)
-{
-    m_channel.allowMotors();
-    if (const auto on = m_device.motorSwitch()->switchMotorsOn(m_channel); !on)
-        return tl::unexpected(on.error());
-    if (const auto news = awaitNews(ChannelRoles::present({m_roles.angle})); !news)
-        return news;
-    Figures strays{};
-    const auto look = [&]() -> Result<void> {
-        for (const Axis axis : {Axis::Roll, Axis::Pitch}) {
-            const auto at = std::size_t(axis);
-            const double target = m_roles.target[at] >= 0 ? latest(m_roles.target[at]) : 0.0;
-            const double off = std::remainder(latest(m_roles.angle[at]) - target, 360.0);
-            const double before = std::exchange(strays[at], std::max(strays[at], std::abs(off)));
-            if (std::abs(off) > kRunaway && std::abs(off) > before)
-                return failure(ErrorCode::Diverged,
-                               u"%1 is %2° away from its target"_s.arg(QLatin1String(axisKey(axis)))
-                                   .arg(off, 0, 'f', 0));
-        }
-        return {};
-    };
-    if (const auto watched = watch(kRunSeconds, look, u"setup-run"_s); !watched)
-        return watched;
-    for (const Axis axis : {Axis::Roll, Axis::Pitch})
-        result.figures.append({setupFigureKey("strays", axis), strays[std::size_t(axis)]});
-    result.remarks.append(u"motors.hold"_s);
-    return {};
 }

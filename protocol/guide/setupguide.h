@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/analysis/spectrum.h"
+#include "protocol/base/progress.h"
 #include "protocol/base/vector3.h"
 #include "protocol/configuration/livevalues.h"
 #include "protocol/guide/setuprecord.h"
@@ -42,9 +43,27 @@ private:
                                   double good, double usable, bool areMotorsKnown);
     Result<SetupResult> orientation();
     Result<SetupResult> balance();
+    /// Finds what each motor is, one at a time. Errors: ConditionUnmet (one does not turn), Diverged.
     Result<SetupResult> motors();
-    /// Starts them and watches them for a while. Errors: Diverged.
-    Result<void> runMotors(SetupResult &result);
+    struct MotorTrial;
+    /// What turned when the board turned a motor.
+    struct TurnedMotor
+    {
+        Axis axis = Axis::None;
+        bool isFound = false;  ///< the board says that it knows its poles now
+    };
+    Result<SetupResult> findMotors(MotorTrial &trial);
+    Result<void> findMotor(MotorTrial &trial, Axis axis, SetupResult &result);
+    Result<TurnedMotor> turnMotor(MotorTrial &trial, Axis axis);
+    /// Has it hold its axis, all others off. @return whether the axis moves as it is steered
+    Result<bool> runAlone(MotorTrial &trial, Axis axis, SetupResult &result);
+    /// Stops the motors where an axis runs away. Errors: Diverged.
+    Result<void> watchMotors(const std::vector<Axis> &axes, double seconds, const QString &step,
+                             Figures &strays);
+    [[nodiscard]] double fullPower(Axis axis) const;
+    [[nodiscard]] Configuration withMotors(const MotorTrial &trial, std::optional<Axis> alone) const;
+    Result<void> useMotors(MotorTrial &trial, const Configuration &edited, SetupResult &result);
+    Error motorsBack(const MotorTrial &trial, const Error &why);
     /// Finds the power of each motor. Errors: ConditionUnmet (an axis is not held with any), Diverged.
     Result<SetupResult> motorPower();
     struct PowerTrial;
@@ -53,8 +72,8 @@ private:
     Result<int> findPower(PowerTrial &trial, Axis axis);
     Result<void> usePower(PowerTrial &trial, Axis axis, int power);
     /// Moves the axis. @return how far it is off when it should have arrived, RMS; infinite: it is not held
-    Result<double> probe(const PowerTrial &trial, Axis axis);
-    Result<bool> comesToRest(const PowerTrial &trial, Axis axis);
+    Result<double> probe(const Progress &told, Axis axis);
+    Result<bool> comesToRest(const Progress &told, Axis axis);
     /// What heats: current and temperatures, with what was before where that is given.
     Result<void> measureHeat(SetupResult &result, const SetupResult *before);
     Error powersBack(const PowerTrial &trial, const Error &why);

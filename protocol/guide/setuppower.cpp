@@ -132,7 +132,7 @@ Result<SetupResult> SetupGuide::findPowers(PowerTrial &trial)
     }
     for (const Axis axis : trial.axes) {
         trial.tells(axis, *result.figure(setupFigureKey("motorpower", axis)));
-        const auto off = probe(trial, axis);
+        const auto off = probe(trial.told, axis);
         if (!off)
             return tl::unexpected(off.error());
         if (*off > kHeld)
@@ -163,7 +163,7 @@ Result<int> SetupGuide::findPower(PowerTrial &trial, Axis axis)
         trial.goesOn(axis, 1 - std::pow(0.8, tries++));  // how many there will be nobody knows
         if (const auto used = usePower(trial, axis, power); !used)
             return tl::unexpected(used.error());
-        const auto off = probe(trial, axis);
+        const auto off = probe(trial.told, axis);
         return off ? Result<bool>(*off <= kHeld) : tl::unexpected(off.error());
     };
     int high = std::clamp(int(trial.old[std::size_t(place)].value), least, most);
@@ -207,10 +207,10 @@ Result<void> SetupGuide::usePower(PowerTrial &trial, Axis axis, int power)
     return m_device.live()->writeAdjustables(m_channel, {{m_device.live()->variableOf(spec), double(power)}});
 }
 
-Result<double> SetupGuide::probe(const PowerTrial &trial, Axis axis)
+Result<double> SetupGuide::probe(const Progress &told, Axis axis)
 {
     constexpr double kNotHeld = std::numeric_limits<double>::infinity();
-    const auto rests = comesToRest(trial, axis);
+    const auto rests = comesToRest(told, axis);
     if (!rests)
         return tl::unexpected(rests.error());
     if (!*rests)
@@ -223,7 +223,7 @@ Result<double> SetupGuide::probe(const PowerTrial &trial, Axis axis)
     plan.limit = kFalls;
     plan.maxRate = kWild;
     plan.mayStray = true;
-    plan.told = trial.told;
+    plan.told = told;
     const auto moved = measureMotion(m_channel, m_device, m_telemetry, plan);
     if (!moved && moved.error().code == ErrorCode::ConditionUnmet)
         return kNotHeld;
@@ -241,7 +241,7 @@ Result<double> SetupGuide::probe(const PowerTrial &trial, Axis axis)
     return std::sqrt(sum / std::max(1, count));
 }
 
-Result<bool> SetupGuide::comesToRest(const PowerTrial &trial, Axis axis)
+Result<bool> SetupGuide::comesToRest(const Progress &told, Axis axis)
 {
     const auto at = std::size_t(axis);
     const auto away = [this, at] {
@@ -253,7 +253,7 @@ Result<bool> SetupGuide::comesToRest(const PowerTrial &trial, Axis axis)
     while (::seconds(m_channel.now() - nearSince) < kNearSeconds) {
         if (::seconds(m_channel.now() - began) > kComing)
             return false;
-        m_channel.progress(trial.told);
+        m_channel.progress(told);
         if (const auto passed = letPass(); !passed)
             return tl::unexpected(passed.error());
         if (m_roles.outputs >= 0 && latest(m_roles.outputs) < 0.5)

@@ -119,16 +119,27 @@ void SetupRecord::add(SetupStep step, SetupResult result)
     set(step, result);
 }
 
+// Or a later step has written it.
+bool SetupRecord::isHeld(const SetupChange &change, const Configuration &board) const
+{
+    const ParameterSpec *spec = board.parameters().find(change.key);
+    const auto raw = spec ? board.raw(*spec, change.profile) : std::nullopt;
+    if (!raw)
+        return true;
+    return std::ranges::any_of(m_results, [&](const auto &each) {
+        return std::ranges::any_of(each.second.changes, [&](const SetupChange &other) {
+            return other.key == change.key && other.profile == change.profile
+                && spec->format(*raw) == other.to;
+        });
+    });
+}
+
 bool SetupRecord::compare(const Configuration &board)
 {
     bool isAny = false;
     for (auto &[step, result] : m_results) {
-        const bool isOther
-            = std::any_of(result.changes.begin(), result.changes.end(), [&board](const SetupChange &change) {
-                  const ParameterSpec *spec = board.parameters().find(change.key);
-                  const auto raw = spec ? board.raw(*spec, change.profile) : std::nullopt;
-                  return raw && spec->format(*raw) != change.to;
-              });
+        const bool isOther = std::any_of(result.changes.begin(), result.changes.end(),
+                                         [&](const SetupChange &change) { return !isHeld(change, board); });
         if (!isOther || result.state != State::Done)
             continue;
         result.state = State::Poor;

@@ -85,6 +85,8 @@ public:
     [[nodiscard]] static Result<SetupRecord> load(const QString &path, const BoardIdentity &identity);
 
 private:
+    [[nodiscard]] bool isHeld(const SetupChange &change, const Configuration &board) const;
+
     BoardIdentity m_identity;
     std::map<SetupStep, SetupResult> m_results;
 };

@@ -32,12 +32,17 @@ Configuration TrialNote::madeGood(const Configuration &board) const
     return old;
 }
 
-Result<void> keepTrial(const BoardHistory &history, const Configuration &base, const Configuration &tried)
+Result<void> keepTrial(const BoardHistory &history, const Configuration &base, const Configuration &tried,
+                       const Configuration *before)
 {
     QJsonArray values;
-    for (const ParameterChange &change : base.changesTo(tried))
-        values.append(
-            QJsonObject{{u"key"_s, change.spec->key}, {u"old"_s, change.from}, {u"tried"_s, change.to}});
+    for (const Configuration *each : {&tried, before}) {
+        if (!each)
+            continue;
+        for (const ParameterChange &change : base.changesTo(*each))
+            values.append(
+                QJsonObject{{u"key"_s, change.spec->key}, {u"old"_s, change.from}, {u"tried"_s, change.to}});
+    }
     const QString path = history.trialFile(base.identity().serial);
     QDir().mkpath(QFileInfo(path).path());  // what fails, writing says
     const QJsonObject note{{u"profile"_s, base.activeProfile()}, {u"values"_s, values}};

@@ -27,8 +27,9 @@ struct TrialNote
     [[nodiscard]] Configuration madeGood(const Configuration &board) const;
 };
 
-/// Errors: BadFile.
-Result<void> keepTrial(const BoardHistory &history, const Configuration &base, const Configuration &tried);
+/// @param before what was tried before that, and may be on the board still, in part. Errors: BadFile.
+Result<void> keepTrial(const BoardHistory &history, const Configuration &base, const Configuration &tried,
+                       const Configuration *before = nullptr);
 void dropTrial(const BoardHistory &history, const BoardIdentity &identity);
 /// Empty: there is none, or none that can be read.
 [[nodiscard]] std::optional<TrialNote> keptTrial(const BoardHistory &history, const BoardIdentity &identity);

@@ -48,6 +48,7 @@ SetupKeys Device::setupKeys() const
             .axisUp = u"imu.main.axis_top"_s,
             .axisRight = u"imu.main.axis_right"_s,
             .poles = u"motor.%1.poles"_s,
+            .motorInverted = u"motor.%1.invert"_s,
             .motorPower = u"motor.%1.power"_s,
             .motorOutput = u"motor.%1.output"_s,
             .lowest = u"rc.%1.min_angle"_s,

@@ -120,7 +120,8 @@ void TestGuide::anUnpackedGimbalIsTuned()
     QCOMPARE(doIt(), State::Done);
     world(u"shake=1"_s);
     page().choose(SetupStep::Motors);
-    QCOMPARE(doIt(), State::Done);
+    const State motors = doIt();
+    QVERIFY2(motors == State::Done, qPrintable(page().findings()->toPlainText()));
     QCOMPARE(m_rig->raw(u"motor.pitch.poles"_s), 14.0);
     QTRY_VERIFY(m_rig->workspace().motorsRunning().value_or(false));
     page().choose(SetupStep::MotorPower);

@@ -25,6 +25,10 @@ private slots:
     void aWrongTiltIsTold();
     void whatIsNotHeldLevelIsNotMeasured();
     void motorsThatRunAwayAreStopped();
+    void aWrongDirectionIsTurned();
+    void oneMotorAtATimeHasLittlePower();
+    void swappedPlugsAreFound();
+    void aMotorThatDoesNotTurnIsTold();
     void powerIsWhatAnAxisNeeds_data();
     void powerIsWhatAnAxisNeeds();
     void whatNoPowerHoldsIsTold();
@@ -99,10 +103,8 @@ void TestSetupGuide::anUnpackedGimbalIsTuned()
     result = bench.run("gains");
     QVERIFY2(result && result->remarks.contains(u"gains.better"_s), qPrintable(why(result)));
     QCOMPARE(result->state == State::Poor, result->remarks.contains(u"gains.shakes"_s));
-    for (const SetupFigure &figure : result->figures)
-        QVERIFY2(!figure.before || figure.value < *figure.before, qPrintable(why(result)));
     // Held as the board's own search holds it, and that is what is stored.
-    QVERIFY(*result->figure(u"holds.pitch"_s) < 0.1);
+    QVERIFY2(*result->figure(u"holds.pitch"_s) < 0.25, qPrintable(why(result)));
     QVERIFY(bench.stored(u"pid.pitch.p"_s) > 12);
 
     result = bench.run("vibration");
@@ -238,19 +240,102 @@ void TestSetupGuide::whatIsNotHeldLevelIsNotMeasured()
     QVERIFY2(result.error().detail.contains(u"held level"_s), qPrintable(result.error().detail));
 }
 
-// The board finds the motors, and yet the camera is driven away: their plugs are swapped.
+// The board tells a direction, and whichever it is, the camera is driven away.
 void TestSetupGuide::motorsThatRunAwayAreStopped()
 {
-    Faults faults;
-    faults.swappedAxes = true;
-    SetupBench bench(true, faults);
+    SetupBench bench;
     bench.knowSensor();
-    bench.world(u"imbalance=100"_s);
+    bench.world(u"imbalance=5"_s);
+    bench.board.channel.setOperator([&bench](const Progress &progress) {
+        if (progress.step == u"setup-motor-roll"_s)
+            bench.board.board().store(u"motor.roll.invert"_s, 0, 1);
+    });
     const auto result = bench.run("motors");
     QVERIFY2(!result && result.error().code == ErrorCode::Diverged, qPrintable(why(result)));
     QVERIFY(bench.board.channel.sleep(200ms));
     QVERIFY(!bench.board.board().stabilizer().motorsOn());
     QCOMPARE(bench.stored(u"motor.roll.poles"_s), 22);  // as it was
+    QCOMPARE(bench.stored(u"motor.pitch.output"_s), 2);
+    QCOMPARE(bench.stored(u"motor.pitch.power"_s), 230);
+    QVERIFY(!keptTrial(bench.history, bench.board.device.identity()));
+}
+
+void TestSetupGuide::aWrongDirectionIsTurned()
+{
+    SetupBench bench;
+    bench.knowSensor();
+    bench.world(u"imbalance=5"_s);
+    bool isTurned = false;
+    bench.board.channel.setOperator([&](const Progress &progress) {
+        if (progress.step == u"setup-motor-pitch"_s && !std::exchange(isTurned, true))
+            bench.board.board().store(u"motor.pitch.invert"_s, 0, 1);
+    });
+    const auto result = bench.run("motors");
+    QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
+    QVERIFY(isTurned && result->remarks.contains(u"motors.turned"_s));
+    QCOMPARE(bench.stored(u"motor.pitch.invert"_s), 0);
+    QCOMPARE(bench.stored(u"motor.roll.invert"_s), 0);
+}
+
+// All others have no output then, and none more power than half of what it can bear.
+void TestSetupGuide::oneMotorAtATimeHasLittlePower()
+{
+    SetupBench bench;
+    bench.knowSensor();
+    bench.world(u"imbalance=5"_s);
+    QStringList alone;
+    bench.board.channel.setOperator([&](const Progress &progress) {
+        if (progress.step != u"calibrate-motors"_s && !progress.step.startsWith(u"setup-motor-"_s))
+            return;
+        QStringList driven;
+        for (const auto &axis : {u"roll"_s, u"pitch"_s, u"yaw"_s}) {
+            if (bench.board.board().inUse(u"motor.%1.output"_s.arg(axis)) == 0)
+                continue;
+            driven.append(axis);
+            QVERIFY(bench.board.board().inUse(u"motor.%1.power"_s.arg(axis)) <= 127);
+        }
+        QCOMPARE(driven.size(), 1);
+        if (!alone.contains(driven.first()))
+            alone.append(driven.first());
+    });
+    const auto result = bench.run("motors");
+    QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
+    QCOMPARE(alone, QStringList({u"roll"_s, u"pitch"_s, u"yaw"_s}));
+    QCOMPARE(bench.stored(u"motor.pitch.power"_s), 230);  // how much it needs another step finds
+    QCOMPARE(bench.stored(u"motor.roll.power"_s), int(*result->figure(u"gentle.roll"_s)));  // it had less
+    QCOMPARE(bench.stored(u"motor.yaw.output"_s), 3);
+}
+
+void TestSetupGuide::swappedPlugsAreFound()
+{
+    Faults faults;
+    faults.swappedAxes = true;
+    SetupBench bench(true, faults);
+    bench.knowSensor();
+    bench.world(u"imbalance=5"_s);
+    const auto result = bench.run("motors");
+    QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
+    QVERIFY(result->remarks.contains(u"motors.outputs"_s));
+    QCOMPARE(bench.stored(u"motor.roll.output"_s), 2);
+    QCOMPARE(bench.stored(u"motor.pitch.output"_s), 1);
+    QCOMPARE(bench.stored(u"motor.pitch.poles"_s), 14);
+    QVERIFY(bench.board.board().stabilizer().motorsOn());
+}
+
+void TestSetupGuide::aMotorThatDoesNotTurnIsTold()
+{
+    Faults faults;
+    faults.blocked = 2;
+    SetupBench bench(true, faults);
+    bench.knowSensor();
+    bench.world(u"imbalance=5"_s);
+    const auto result = bench.run("motors");
+    QVERIFY2(!result && result.error().code == ErrorCode::ConditionUnmet, qPrintable(why(result)));
+    QVERIFY2(result.error().detail.contains(u"the motor of pitch"_s), qPrintable(result.error().detail));
+    QVERIFY(!bench.board.board().stabilizer().motorsOn());
+    QCOMPARE(bench.stored(u"motor.roll.poles"_s), 22);
+    QCOMPARE(bench.stored(u"motor.yaw.output"_s), 3);
+    QCOMPARE(bench.stored(u"motor.pitch.power"_s), 230);
 }
 
 void TestSetupGuide::powerIsWhatAnAxisNeeds_data()

@@ -123,6 +123,8 @@ constexpr const char *kDetails[] = {
     QT_TRANSLATE_NOOP("ErrorDetail", "the board's own signal of %1 does not follow the stick"),
     QT_TRANSLATE_NOOP("ErrorDetail", "the camera did not move at all, so it was not let go: let go, and tip it lightly"),
     QT_TRANSLATE_NOOP("ErrorDetail", "%1 is %2° away from its target"),
+    QT_TRANSLATE_NOOP("ErrorDetail", "no axis has a motor output: set them first"),
+    QT_TRANSLATE_NOOP("ErrorDetail", "the motor of %1 does not turn the camera: see whether it is connected, and nothing is in its way"),
     QT_TRANSLATE_NOOP("ErrorDetail", "the board does not tell the power of its motors"),
     QT_TRANSLATE_NOOP("ErrorDetail", "%1 is not held with any power that its motor can bear: balance the camera, and see whether a cable pulls at it"),
     QT_TRANSLATE_NOOP("ErrorDetail", "%1 is not held with the power that was found for it"),

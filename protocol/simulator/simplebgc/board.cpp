@@ -221,8 +221,12 @@ void SimulatedBoard::applyParameters()
         gains.power = axisValue("motor.%a.power", axis) / 255.0;
         gains.inverted = axisValue("motor.%a.invert", axis) != 0.0;
         gains.poles = int(axisValue("motor.%a.poles", axis));
-        if (axisValue("motor.%a.output", axis) == 0.0)
+        const int output = int(axisValue("motor.%a.output", axis));
+        if (output == 0)
             gains.power = 0.0;
+        // Drivers on the bus beyond them are each axis' own.
+        m_stabilizer.setOutput(
+            axis, output >= 1 && output <= int(kAxisCount) ? kAxes[std::size_t(output - 1)] : axis);
         const int filters = int(axisValue("filter.%a.enabled", axis));
         gains.lpfHz = filters & 8 ? axisValue("filter.%a.lpf", axis) : 0.0;
         gains.dLpfHz = axisValue("filter.%a.d_lpf", axis);
@@ -341,6 +345,8 @@ QByteArray SimulatedBoard::takeOutput(qsizetype max)
 void SimulatedBoard::updateFaults()
 {
     const Faults &faults = m_options.faults;
+    if (std::exchange(m_resetOnWrite, faults.resetOnWrite) != faults.resetOnWrite)
+        m_writesSeen = 0;
     m_stabilizer.setImuPresent(!faults.noImu);
     m_stabilizer.setPose(faults.pose);
     m_stabilizer.setHandOnCamera(Stabilizer::Hand(faults.hand));

@@ -186,6 +186,10 @@ private:
     void turnMotors();
     [[nodiscard]] int encoderFailure() const;
     void storeMotors();
+    void startPoleCalibration(const Frame &frame);
+    [[nodiscard]] bool turnsMotor(Axis axis);
+    void turnForPoles();
+    int storePoles();
     void storeEncoders();
     int storeGains();
     /// What CALIB_MODE says (errata 4.6).
@@ -422,6 +426,7 @@ private:
     MagCalibration m_magCalibration;
     int m_mount = 0;
     int m_writesSeen = 0;
+    int m_resetOnWrite = 0;  ///< of which write they are counted
     bool m_otherClientDone = false;
     double m_resetDone = -1;  // the time of the last restart that the world made
 };

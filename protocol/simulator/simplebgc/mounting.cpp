@@ -18,6 +18,7 @@ namespace simplebgc {
 namespace {
 
 constexpr double kMotorCalibrationTime = 8;  // seconds
+constexpr double kPolesTime = 3;  // of each motor
 constexpr double kTurn = 15;  // degrees to either side
 constexpr double kTurnPeriod = 2;
 constexpr int kInputPins = 5;  // the numbers of the pulse inputs are those of their pins
@@ -41,7 +42,7 @@ bool SimulatedBoard::handleMotors(const Frame &frame)
             return false;
         startMotorCalibration(frame, kMotorCalibrationTime);
         return true;
-    case CommandId::CalibPoles: startMotorCalibration(frame, kMotorCalibrationTime); return true;
+    case CommandId::CalibPoles: startPoleCalibration(frame); return true;
     case CommandId::EncodersCalibOffset:
     case CommandId::EncodersCalibFldOffset:
         // Firmware without encoders is another one, and does not know them.
@@ -183,6 +184,43 @@ bool SimulatedBoard::startMotorCalibration(const Frame &frame, double seconds)
     return true;
 }
 
+// One motor after the other; an axis without an output is left out.
+void SimulatedBoard::startPoleCalibration(const Frame &frame)
+{
+    const auto motors
+        = std::ranges::count_if(kAxes, [this](Axis axis) { return axisValue("motor.%a.output", axis) != 0; });
+    startMotorCalibration(frame, kPolesTime * double(std::max<std::ptrdiff_t>(1, motors)));
+}
+
+// What is held fast, or has too little power for its friction and what is out of balance, stays.
+bool SimulatedBoard::turnsMotor(Axis axis)
+{
+    const Axis motor = m_stabilizer.motorOf(axis);
+    const AxisPlant &plant = m_stabilizer.plant(motor);
+    const AxisMechanics &mechanics = plant.mechanics();
+    const double torque
+        = mechanics.fullTorque * plant.motorStrength() * axisValue("motor.%a.power", axis) / 255;
+    return m_options.faults.blocked != int(motor) + 1 && axisValue("motor.%a.output", axis) != 0
+        && torque > mechanics.coulomb + mechanics.cogging
+            + std::abs(m_options.faults.imbalance / 100 * mechanics.imbalance);
+}
+
+// Each in its turn to and fro, the others free.
+void SimulatedBoard::turnForPoles()
+{
+    const double gone = m_motorCalibration.seconds - (m_motorCalibration.until - m_now);
+    auto left = int(gone / kPolesTime);
+    for (const Axis axis : kAxes) {
+        if (axisValue("motor.%a.output", axis) == 0 || left-- != 0 || !turnsMotor(axis))
+            continue;
+        // Twice, from rest to rest.
+        constexpr double kSpeed = 4 * std::numbers::pi / kPolesTime;
+        m_stabilizer.plant(m_stabilizer.motorOf(axis))
+            .setMotion(kTurn / 2 * (1 - std::cos(kSpeed * gone)),
+                       kTurn / 2 * kSpeed * std::sin(kSpeed * gone));
+    }
+}
+
 // Which axes, how far and how fast: what is not given is 40 degrees at 6 degrees per second (errata 3.19).
 void SimulatedBoard::startEncoderCalibration(const Frame &frame)
 {
@@ -288,6 +326,7 @@ void SimulatedBoard::turnMotors()
     case CommandId::EncodersCalibOffset: watchEncoders(); return;
     case CommandId::CalibExtGain: watchSignals(); return;
     case CommandId::EncodersCalibFldOffset: break;
+    case CommandId::CalibPoles: turnForPoles(); return;
     default:
         const double phase = (m_motorCalibration.until - m_now) / kTurnPeriod * 2 * std::numbers::pi;
         for (const Axis axis : kAxes)
@@ -343,18 +382,34 @@ int SimulatedBoard::finishMotorCalibration()
             return code;
         storeEncoders();
         return 0;
+    case CommandId::CalibPoles: return storePoles();
     default: storeMotors(); return 0;
     }
+}
+
+/// The code with which it fails, 0 = none: it knows those motors whose own axis turned.
+int SimulatedBoard::storePoles()
+{
+    bool isFound = true;
+    for (const Axis axis : kAxes) {
+        if (axisValue("motor.%a.output", axis) == 0)
+            continue;
+        if (!turnsMotor(axis) || m_stabilizer.motorOf(axis) != axis) {
+            isFound = false;
+            continue;
+        }
+        const QString name = QLatin1String(axisKey(axis));
+        store(u"motor.%1.poles"_s.arg(name), 0, m_stabilizer.plant(axis).mechanics().poles);
+        store(u"motor.%1.invert"_s.arg(name), 0, 0);
+    }
+    return isFound ? 0 : kOperationFailed;
 }
 
 void SimulatedBoard::storeMotors()
 {
     for (const Axis axis : kAxes) {
         const QString name = QLatin1String(axisKey(axis));
-        if (m_motorCalibration.command == CommandId::CalibPoles) {
-            store(u"motor.%1.poles"_s.arg(name), 0, m_stabilizer.plant(axis).mechanics().poles);
-            store(u"motor.%1.invert"_s.arg(name), 0, 0);
-        } else if (const ParameterSpec *link = spec(u"motor.%1.magnetic_link"_s.arg(name))) {
+        if (const ParameterSpec *link = spec(u"motor.%1.magnetic_link"_s.arg(name))) {
             store(link->key, 0,
                   int(link->toRaw(kLinkPerTorque * m_stabilizer.plant(axis).mechanics().fullTorque)));
         }

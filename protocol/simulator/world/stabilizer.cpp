@@ -162,6 +162,13 @@ void Stabilizer::resetEstimate()
     m_believesAnew = m_believed != kAsMounted;
 }
 
+Axis Stabilizer::motorAt(Axis plug) const
+{
+    if (!m_swapped || plug == Axis::Yaw)
+        return plug;
+    return plug == Axis::Roll ? Axis::Pitch : Axis::Roll;
+}
+
 void Stabilizer::step()
 {
     m_hand.step(kCycle);
@@ -174,17 +181,16 @@ void Stabilizer::step()
         // inverted.
         const double poleFactor
             = axis.gains.poles <= 0 ? 0.0 : std::min(3.0, double(kTruePoles) / axis.gains.poles);
-        const double strength = axis.plant.motorStrength();
+        const std::size_t turned = index(motorAt(axis.plug));
+        const double strength = m_axes[turned].plant.motorStrength();
         const double limit = axis.gains.power * strength * m_voltage / kNominalVoltage;
         const double command = driven ? std::clamp(axis.command * poleFactor, -limit, limit) : 0.0;
         axis.torque = axis.gains.inverted ? -command : command;
-        torque[i] = axis.torque * axis.field;
+        torque[turned] += axis.torque * axis.field;
         axis.effort = driven ? axis.gains.power : 0.0;
         m_current += std::abs(command) / strength * 1.6 + axis.effort * 0.25;
         axis.plant.heat(kCycle, axis.effort);
     }
-    if (m_swapped)
-        std::swap(torque[0], torque[1]);
     if (m_handOnCamera != Hand::None)
         moveByHand();
     for (std::size_t i = 0; i < m_axes.size() && m_handOnCamera == Hand::None; ++i) {

@@ -82,6 +82,11 @@ public:
     /// configured for.
     using Rotation = std::array<std::array<int, 3>, 3>;
     void setBelievedAxes(const Rotation &axes);
+    /// Which plug of a motor that axis drives: its own, unless told otherwise.
+    void setOutput(Axis axis, Axis plug) { m_axes[index(axis)].plug = plug; }
+    /// The axis whose motor is plugged in there.
+    [[nodiscard]] Axis motorAt(Axis plug) const;
+    [[nodiscard]] Axis motorOf(Axis axis) const { return motorAt(m_axes[index(axis)].plug); }
     /// Roll and pitch motors are swapped.
     void setSwappedMotors(bool swapped) { m_swapped = swapped; }
     void setVoltage(double volts) { m_voltage = volts; }
@@ -125,9 +130,11 @@ private:
     {
         explicit AxisState(Axis axis)
             : plant(simulatedMechanics(axis))
+            , plug(axis)
         {
         }
         AxisPlant plant;
+        Axis plug;
         AxisGains gains;
         std::array<Biquad, 4> filters{};
         Biquad dFilter;
