@@ -25,12 +25,16 @@ struct SetupKeys
     /// opposite.
     QString axisUp;
     QString axisRight;
+    QString encoderType;  ///< 0: that axis has none
     QString poles;
     QString motorInverted;
     QString motorPower;  ///< which can be changed in use alone
     QString motorOutput;  ///< 0: no motor turns that axis
     QString lowest;  ///< degrees that steering reaches
     QString highest;
+    // Capabilities.
+    QString magnetometer;
+    QString encoders;
     // Remote control.
     QString inputMap;  ///< which input steers an axis, or gives commands where "%1" is `commandInput`
     QString inputInverted;

@@ -63,8 +63,9 @@ QList<int> SetupGuide::channels(const Device &device)
 {
     const ChannelRoles roles = rolesOf(device);
     QList<int> all
-        = ChannelRoles::present({roles.angle, roles.target, roles.gyro, roles.acc, roles.motorTemperature});
-    for (const int channel : {roles.battery, roles.current, roles.outputs}) {
+        = ChannelRoles::present({roles.angle, roles.target, roles.gyro, roles.acc, roles.motorTemperature,
+                                 roles.frameAngle, roles.joint, roles.motorPower});
+    for (const int channel : {roles.battery, roles.current, roles.outputs, roles.faults, roles.faultDetail}) {
         if (channel >= 0)
             all.append(channel);
     }
@@ -88,6 +89,7 @@ Result<SetupResult> SetupGuide::run(SetupStep step, const QVariantMap &answers, 
     Result<SetupResult> result = failure(ErrorCode::Unsupported);
     switch (step) {
     case SetupStep::Power: result = power(answers); break;
+    case SetupStep::Sensors: result = sensors(); break;
     case SetupStep::Gyroscope:
         result = calibrate(m_keys.calibrateGyro, u"gyro.bias"_s, u"bias"_s, kGoodBias, kUsableBias,
                            areMotorsKnown);

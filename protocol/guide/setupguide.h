@@ -39,6 +39,10 @@ private:
     using Figures = std::array<double, kAxisCount>;
 
     Result<SetupResult> power(const QVariantMap &answers);
+    Result<SetupResult> sensors();
+    [[nodiscard]] bool hasFault(QLatin1String key) const;
+    /// The remark on the sensor of the frame.
+    [[nodiscard]] QString frameSensor(const Configuration &base) const;
     Result<SetupResult> calibrate(const QString &action, const QString &part, const QString &figure,
                                   double good, double usable, bool areMotorsKnown);
     Result<SetupResult> orientation();

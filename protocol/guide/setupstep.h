@@ -10,6 +10,7 @@ class Device;
 /// The steps from an unpacked gimbal to a tuned one, in this order.
 enum class SetupStep : std::uint8_t {
     Power,
+    Sensors,
     Gyroscope,
     Orientation,
     Level,
@@ -22,7 +23,7 @@ enum class SetupStep : std::uint8_t {
     Remote,
     Use
 };
-inline constexpr std::size_t kSetupSteps = 12;
+inline constexpr std::size_t kSetupSteps = 13;
 
 /// A step: what it is called, what it needs and does, and what it asks.
 struct SetupStepSpec

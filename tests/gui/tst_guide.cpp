@@ -105,7 +105,8 @@ void TestGuide::anUnpackedGimbalIsTuned()
     QVERIFY2(page().findings()->toPlainText().contains(u"12."_s),
              qPrintable(page().findings()->toPlainText()));
     QCOMPARE(m_rig->raw(u"battery.alarm"_s), 1050.0);
-    for (const SetupStep step : {SetupStep::Gyroscope, SetupStep::Orientation, SetupStep::Level}) {
+    for (const SetupStep step :
+         {SetupStep::Sensors, SetupStep::Gyroscope, SetupStep::Orientation, SetupStep::Level}) {
         page().choose(step);
         const State state = doIt();
         QVERIFY2(state == State::Done, qPrintable(page().findings()->toPlainText()));
@@ -210,7 +211,7 @@ void TestGuide::itGoesOnAnotherDay()
     m_rig->restart();
     QVERIFY(m_rig->open());
     QCOMPARE(page().record().result(SetupStep::Power).state, State::Done);
-    QCOMPARE(page().chosen(), SetupStep::Gyroscope);
+    QCOMPARE(page().chosen(), SetupStep::Sensors);
     QVERIFY(page().list()->item(0)->text().contains(u"✓"_s));
     // Another board begins at the beginning.
     m_rig->client().disconnectFromBoard();
@@ -310,12 +311,12 @@ void TestGuide::leftOutIsSaid()
 {
     QVERIFY(m_rig->open());
     page().skipButton()->click();
-    QCOMPARE(page().chosen(), SetupStep::Gyroscope);
+    QCOMPARE(page().chosen(), SetupStep::Sensors);
     QVERIFY(!page().skipButton()->hasFocus());  // pressed again, it would leave out the next one
     page().choose(SetupStep::Power);
     QVERIFY(page().nextButton()->isVisible());
     page().nextButton()->click();
-    QCOMPARE(page().chosen(), SetupStep::Gyroscope);
+    QCOMPARE(page().chosen(), SetupStep::Sensors);
     page().choose(SetupStep::Power);
     QVERIFY2(page().findings()->toPlainText().contains(u"left out"_s),
              qPrintable(page().findings()->toPlainText()));

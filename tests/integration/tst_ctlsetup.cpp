@@ -92,6 +92,7 @@ void TestCtlSetup::anUnpackedGimbalIsTuned()
     ++commands;
     QCOMPARE(Running(m_dir->path(), {u"--link"_s, link, u"motors"_s, u"off"_s}).finish().exitCode, 0);
     QVERIFY(step({u"power"_s}, u"done"_s));
+    QVERIFY(step({u"sensors"_s}, u"done"_s));
     QVERIFY(step({u"gyroscope"_s, u"--confirmed"_s}, u"done"_s));
     // Tilts it as it is told to.
     Running tilting(m_dir->path(),

@@ -35,6 +35,7 @@ const std::vector<Moment> &moments()
     using enum Fault;
     static const std::vector<Moment> all{
         {"power"_L1, "setup-measure"_L1, {Idle}},
+        {"sensors"_L1, "setup-measure"_L1, {WritesUnheard, WriteBreaks, Idle}},
         {"gyroscope"_L1, "calibrate"_L1, {Silent, WritesUnheard, WriteBreaks, Idle}},
         {"orientation"_L1, "setup-tilt-level"_L1},
         {"orientation"_L1, "setup-tilt-right"_L1},

@@ -19,6 +19,8 @@ private slots:
     void anUnpackedGimbalIsTuned();
     void batteryIsAskedFor_data();
     void batteryIsAskedFor();
+    void sensorsAreTold_data();
+    void sensorsAreTold();
     void aStillCameraIsNeeded();
     void theSensorsSeatIsFound_data();
     void theSensorsSeatIsFound();
@@ -62,6 +64,10 @@ void TestSetupGuide::anUnpackedGimbalIsTuned()
     QVERIFY(!result->snapshot.isEmpty());
     result = bench.run("power");
     QVERIFY(result && result->changes.isEmpty() && result->remarks == QStringList{u"power.fits"_s});
+
+    result = bench.run("sensors");
+    QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
+    QVERIFY(result->remarks.contains(u"sensors.imu"_s));
 
     result = bench.run("gyroscope");
     QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
@@ -165,6 +171,47 @@ void TestSetupGuide::batteryIsAskedFor()
     QCOMPARE(result.error().code, ErrorCode::ConditionUnmet);
     QVERIFY2(result.error().detail.contains(says), qPrintable(result.error().detail));
     QCOMPARE(bench.stored(u"battery.alarm"_s), alarm);
+}
+
+void TestSetupGuide::sensorsAreTold_data()
+{
+    QTest::addColumn<int>("encoders");
+    QTest::addColumn<bool>("hasImu");
+    QTest::addColumn<bool>("hasFrame");
+    QTest::addColumn<QStringList>("remarks");
+    QTest::newRow("the usual") << 0 << true << true
+                               << QStringList{u"sensors.imu"_s, u"sensors.frame"_s, u"sensors.noencoders"_s};
+    QTest::newRow("no frame sensor") << 0 << true << false
+                                     << QStringList{u"sensors.imu"_s, u"sensors.noframe"_s};
+    QTest::newRow("no sensor") << 0 << false << true << QStringList{u"sensors.noimu"_s};
+    QTest::newRow("encoders") << 1 << true << true << QStringList{u"sensors.encoders"_s};
+    QTest::newRow("encoders, one of them not set up")
+        << 2 << true << true << QStringList{u"sensors.someencoders"_s};
+}
+
+// What lacks is said, and is no error.
+void TestSetupGuide::sensorsAreTold()
+{
+    QFETCH(int, encoders);
+    QFETCH(bool, hasImu);
+    QFETCH(bool, hasFrame);
+    QFETCH(QStringList, remarks);
+    SimulatorOptions options = withFirmware(2700);
+    options.faults.noImu = !hasImu;
+    if (encoders > 0)
+        options.own[u"encoders"_s] = 1;
+    SetupBench bench(options);
+    if (encoders > 1)
+        bench.board.board().store(u"encoder.roll.type"_s, 0, 0);
+    if (!hasFrame)
+        bench.board.board().store(u"imu.frame.position"_s, 0, 0);
+    const auto result = bench.run("sensors");
+    QVERIFY2(result, qPrintable(why(result)));
+    QCOMPARE(result->state, hasImu ? State::Done : State::Poor);
+    for (const QString &remark : remarks)
+        QVERIFY2(result->remarks.contains(remark), qPrintable(why(result)));
+    QCOMPARE(*result->figure(u"spread.roll"_s) > 0, hasImu);
+    QVERIFY(result->changes.isEmpty());
 }
 
 void TestSetupGuide::aStillCameraIsNeeded()
@@ -530,6 +577,7 @@ void TestSetupGuide::aRecordIsKept()
     QVERIFY(bench.run("power"));
     SetupResult skipped;
     skipped.state = State::Skipped;
+    bench.record.set(SetupStep::Sensors, skipped);
     bench.record.set(SetupStep::Gyroscope, skipped);
     const QString path = bench.history.setupFile(bench.board.device.identity().serial);
     QVERIFY(bench.record.save(path));
