@@ -15,6 +15,18 @@ struct GimbalUse
     std::vector<std::pair<QString, double>> values;
 };
 
+/// Two parameters between which an axis moves, in degrees.
+struct SetupRange
+{
+    /// What is limited: where steering reaches, where the axis stops against the frame, or the same as its
+    /// encoder tells it.
+    enum class Of { Steering, Joint, Encoder };
+
+    QString lowest;
+    QString highest;
+    Of of = Of::Steering;
+};
+
 /// What a board calls that which a new gimbal needs to have found and set; an empty name: it has no such
 /// thing. Names of an axis' parameters have "%1" for it.
 struct SetupKeys
@@ -30,8 +42,7 @@ struct SetupKeys
     QString motorInverted;
     QString motorPower;  ///< which can be changed in use alone
     QString motorOutput;  ///< 0: no motor turns that axis
-    QString lowest;  ///< degrees that steering reaches
-    QString highest;
+    std::vector<SetupRange> ranges;
     // Capabilities.
     QString magnetometer;
     QString encoders;

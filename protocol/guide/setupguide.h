@@ -86,6 +86,17 @@ private:
     Result<SetupResult> judgeGains(const Configuration &base, const Figures &before);
     Result<SetupResult> vibration(const QVariantMap &answers);
     Result<SetupResult> limits(const QVariantMap &answers);
+    /// How far the camera was moved, lowest and highest; by its angles, and by the angles of its motors.
+    using Reached = std::array<std::pair<double, double>, kAxisCount>;
+    struct Motion
+    {
+        Reached angle{};
+        Reached joint{};
+    };
+    Result<Motion> watchHand(double seconds);
+    /// Sets those limits of the axis that the board has.
+    Result<void> setRanges(Axis axis, const Motion &motion, double margin, Configuration &edited,
+                           SetupResult &result) const;
     Result<SetupResult> remote(const QVariantMap &answers);
     Result<SetupResult> use(const QVariantMap &answers);
 

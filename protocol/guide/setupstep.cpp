@@ -73,7 +73,7 @@ constexpr SetupStepSpec kSteps[] = {
       .risk = ActionRisk::Writes, .arguments = kVibrationArguments},
      "The gimbal is held in the hand as in use, and the motors run.", "spectrum"},
     {SetupStep::Limits,
-     {.key = "limits", .label = "Range", .help = "Switches the motors off, watches how far the camera is moved by hand, and sets the range that steering may reach.",
+     {.key = "limits", .label = "Range", .help = "Switches the motors off, watches how far the camera is moved by hand, and sets the range that steering may reach. Where the board has limits of the axes themselves, they lie half of the margin further.",
       .risk = ActionRisk::Writes, .arguments = kLimitArguments, .confirm = "I hold the camera"},
      "The frame stands level and still while the camera is moved as far as it may go.", "parameters"},
     {SetupStep::Remote,
@@ -95,6 +95,7 @@ constexpr SetupFigureSpec kFigures[] = {
     {"current", "Current of the gimbal", "A", 2}, {"heat", "Temperature of the motor", "°C", 0},
     {"holds", "Held to", "° RMS", 3}, {"line", "Strongest line", "Hz", 1},
     {"shakes", "Vibrates", "°/s RMS", 2}, {"lowest", "Lowest angle", "°", 0}, {"highest", "Highest angle", "°", 0},
+    {"stopslow", "Stops at, lower end", "°", 0}, {"stopshigh", "Stops at, upper end", "°", 0},
     {"stick.low", "Stick at its lower end", "%", 0}, {"stick.rest", "Stick let go", "%", 0}, {"stick.high", "Stick at its upper end", "%", 0},
 };
 
@@ -154,6 +155,7 @@ constexpr SetupRemarkSpec kRemarks[] = {
     {"vibration.nonotch", "A notch was tried and did not help: the board holds what it held."},
     {"vibration.strong", "An axis vibrates strongly: lower its gains (page Tuning), and measure again.", false},
     {"limits.set", "Steering reaches what you have shown, less the margin."},
+    {"limits.joint", "The axes themselves stop half of the margin further."},
     {"limits.kept", "An axis was hardly moved: its range stays as it was.", false},
     {"remote.set", "The sticks are mapped, and the board follows them."},
     {"remote.fits", "They were mapped so already, and the board follows them."},
@@ -235,7 +237,8 @@ std::vector<SetupStep> stepsOf(const Device &device)
         canTryPower(device, keys) && device.motorSwitch() && hasAngles && tellsTargets(device),
         offers(keys.autoTune) && hasAngles && roles.target[0] >= 0,
         roles.gyro[0] >= 0,
-        knows(keys.lowest) && device.motorSwitch() && hasAngles,
+        std::ranges::any_of(keys.ranges, [&](const SetupRange &range) { return knows(range.lowest); })
+            && device.motorSwitch() && hasAngles,
         knows(keys.inputMap) && offers(keys.readInputs) && device.motorSwitch() && roles.outputs >= 0,
         !keys.uses.empty(),
     };

@@ -22,7 +22,6 @@ constexpr auto kRest = 2s;
 constexpr double kBetter = 0.95;
 constexpr double kWorse = 1.1;
 constexpr double kStrong = 3;  // °/s RMS: a hand-held camera that is held well has a tenth of it
-constexpr double kLeastRange = 10;  // degrees, or the axis was not meant
 
 double rmsOfAngles(const std::vector<float> &values)
 {
@@ -237,66 +236,6 @@ Result<SetupResult> SetupGuide::vibration(const QVariantMap &answers)
         result.remarks.append(u"vibration.strong"_s);
         result.state = SetupResult::State::Poor;
     }
-    return result;
-}
-
-Result<SetupResult> SetupGuide::limits(const QVariantMap &answers)
-{
-    if (const auto off = switchOff(); !off)
-        return tl::unexpected(off.error());
-    if (const auto news = awaitNews(ChannelRoles::present({m_roles.angle})); !news)
-        return tl::unexpected(news.error());
-    std::array<std::pair<double, double>, kAxisCount> reached{};
-    for (std::size_t axis = 0; axis < kAxisCount; ++axis)
-        reached[axis] = {latest(m_roles.angle[axis]), latest(m_roles.angle[axis])};
-    const auto look = [&]() -> Result<void> {
-        for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-            const double now = latest(m_roles.angle[axis]);
-            reached[axis] = {std::min(reached[axis].first, now), std::max(reached[axis].second, now)};
-        }
-        return {};
-    };
-    if (const auto moved = watch(answers.value(u"seconds"_s).toDouble(), look, u"setup-move"_s); !moved)
-        return tl::unexpected(moved.error());
-    const auto base = m_device.readConfiguration(m_channel);
-    if (!base)
-        return tl::unexpected(base.error());
-    SetupResult result;
-    Configuration edited = *base;
-    const int profile = base->activeProfile();
-    const double margin = answers.value(u"margin"_s).toDouble();
-    int moved = 0;
-    for (const Axis axis : kAxes) {
-        const auto [low, high] = reached[std::size_t(axis)];
-        if (!(high - low - 2 * margin >= kLeastRange))
-            continue;
-        ++moved;
-        for (const auto &[pattern, value, figure] :
-             {std::tuple(m_keys.lowest, std::ceil(low + margin), "lowest"),
-              std::tuple(m_keys.highest, std::floor(high - margin), "highest")}) {
-            const ParameterSpec *spec = find(pattern, axis);
-            const auto before = spec ? base->raw(*spec, profile) : std::nullopt;
-            if (!before)
-                continue;
-            const double raw = spec->clamped(spec->toRaw(value));
-            if (const auto set = edited.setRaw(*spec, profile, raw); !set)
-                return tl::unexpected(set.error());
-            result.figures.append(
-                {setupFigureKey(figure, axis), spec->toDisplay(raw), spec->toDisplay(*before)});
-        }
-    }
-    if (moved == 0)
-        return failure(
-            ErrorCode::ConditionUnmet,
-            u"the camera was not moved by more than some degrees: move it by hand as far as it may "
-            "go"_s);
-    if (!base->changesTo(edited).empty()) {
-        if (const auto written = write(*base, edited, result); !written)
-            return tl::unexpected(written.error());
-    }
-    result.remarks = QStringList{u"limits.set"_s};
-    if (moved < int(kAxisCount))
-        result.remarks.append(u"limits.kept"_s);
     return result;
 }
 

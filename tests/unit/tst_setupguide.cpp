@@ -40,6 +40,8 @@ private slots:
     void worseGainsAreTakenBack();
     void aNotchIsKeptWhereItHelps();
     void motorsThatAreOffAreNoMeasurement();
+    void allLimitsAreSet_data();
+    void allLimitsAreSet();
     void hardlyMovedIsNoRange();
     void lostLinkEndsAStep();
     void aRecordIsKept();
@@ -549,6 +551,47 @@ void TestSetupGuide::motorsThatAreOffAreNoMeasurement()
         QVERIFY(!result);
         QCOMPARE(result.error().code, ErrorCode::Unready);
     }
+}
+
+void TestSetupGuide::allLimitsAreSet_data()
+{
+    QTest::addColumn<int>("firmware");
+    QTest::addColumn<bool>("hasEncoders");
+    QTest::addColumn<QString>("low");
+    QTest::addColumn<QString>("high");
+    QTest::newRow("2.59: steering alone") << 2590 << false << QString() << QString();
+    QTest::newRow("of the encoders") << 2600 << true << u"encoder.pitch.limit_min"_s
+                                     << u"encoder.pitch.limit_max"_s;
+    QTest::newRow("of the axes") << 2700 << false << u"limit.pitch.min"_s << u"limit.pitch.max"_s;
+    QTest::newRow("of the axes, by encoders") << 2700 << true << u"limit.pitch.min"_s << u"limit.pitch.max"_s;
+}
+
+// Steering ends a margin before what was shown, the axis half of it.
+void TestSetupGuide::allLimitsAreSet()
+{
+    QFETCH(int, firmware);
+    QFETCH(bool, hasEncoders);
+    QFETCH(QString, low);
+    QFETCH(QString, high);
+    SimulatorOptions options = withFirmware(firmware);
+    options.faults.shake = 0;
+    if (hasEncoders)
+        options.own[u"encoders"_s] = 1;
+    SetupBench bench(options);
+    bench.hand(2);
+    const auto result = bench.run("limits", {{u"seconds"_s, u"20"_s}, {u"margin"_s, u"10"_s}});
+    QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
+    const auto shown = [&bench](const QString &key) {
+        return bench.board.device.parameters()->find(key)->toDisplay(bench.stored(key));
+    };
+    QVERIFY2(std::abs(shown(u"rc.pitch.max_angle"_s) - 75) < 6, qPrintable(why(result)));
+    QVERIFY2(std::abs(shown(u"rc.pitch.min_angle"_s) + 75) < 6, qPrintable(why(result)));
+    QCOMPARE(result->remarks.contains(u"limits.joint"_s), !low.isEmpty());
+    if (low.isEmpty())
+        return;
+    QVERIFY2(std::abs(shown(high) - 80) < 5, qPrintable(why(result)));
+    QVERIFY2(std::abs(shown(low) + 80) < 5, qPrintable(why(result)));
+    QCOMPARE(*result->figure(u"stopshigh.pitch"_s), shown(high));
 }
 
 void TestSetupGuide::hardlyMovedIsNoRange()
