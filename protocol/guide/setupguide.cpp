@@ -102,7 +102,7 @@ Result<SetupResult> SetupGuide::run(SetupStep step, const QVariantMap &answers, 
     case SetupStep::Balance: result = balance(); break;
     case SetupStep::Motors: result = motors(); break;
     case SetupStep::MotorPower: result = motorPower(); break;
-    case SetupStep::Gains: result = gains(); break;
+    case SetupStep::Gains: result = gains(answers); break;
     case SetupStep::Vibration: result = vibration(answers); break;
     case SetupStep::Limits: result = limits(answers); break;
     case SetupStep::Remote: result = remote(answers); break;

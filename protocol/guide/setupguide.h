@@ -81,9 +81,26 @@ private:
     /// What heats: current and temperatures, with what was before where that is given.
     Result<void> measureHeat(SetupResult &result, const SetupResult *before);
     Error powersBack(const PowerTrial &trial, const Error &why);
-    Result<SetupResult> gains();
+    Result<SetupResult> gains(const QVariantMap &answers);
+    /// How an axis follows a step of its target.
+    struct Response
+    {
+        double overshoot = 0;  ///< % of the step
+        double riseSeconds = 0;
+    };
+    /// How well the camera is held, and how it follows.
+    struct Held
+    {
+        Figures off{};  ///< degrees RMS
+        std::array<std::optional<Response>, kAxisCount> response{};
+    };
+    Result<Held> measureHeld();
+    /// Empty: it does not follow, or cannot be steered.
+    Result<std::optional<Response>> measureResponse(Axis axis);
+    static void addHeld(const Held &is, const Held *before, SetupResult &result);
+    Result<SetupResult> measureGains();
     /// After the board has searched them: those that hold the camera worse are taken back.
-    Result<SetupResult> judgeGains(const Configuration &base, const Figures &before);
+    Result<SetupResult> judgeGains(const Configuration &base, const Held &before);
     Result<SetupResult> vibration(const QVariantMap &answers);
     Result<SetupResult> limits(const QVariantMap &answers);
     /// How far the camera was moved, lowest and highest; by its angles, and by the angles of its motors.

@@ -18,6 +18,8 @@ constexpr Choice kUses[] = {{0, "handheld"}, {1, "drone"}, {2, "vehicle"}, {3, "
 constexpr ArgumentSpec kPowerArguments[] = {
     {.key = "cells", .label = "Cells of the battery (0 = find out)", .kind = ArgumentKind::Integer, .min = 0, .max = 14, .defaultText = "0"},
     {.key = "chemistry", .label = "Kind of battery", .kind = ArgumentKind::Choice, .choices = kChemistries, .defaultText = "lipo"}};
+constexpr ArgumentSpec kGainArguments[] = {
+    {.key = "search", .label = "Let the board search its gains (off: measure those that it has)", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
 constexpr ArgumentSpec kLimitArguments[] = {
     {.key = "seconds", .label = "Time for moving it", .kind = ArgumentKind::Real, .min = 5, .max = 120, .unit = "s", .defaultText = "20"},
     {.key = "margin", .label = "Margin at each end", .kind = ArgumentKind::Real, .min = 0, .max = 20, .unit = "°", .defaultText = "3"}};
@@ -65,8 +67,8 @@ constexpr SetupStepSpec kSteps[] = {
       .risk = ActionRisk::Writes, .confirm = "The camera is balanced and can turn freely; my hands catch it if it sags"},
      "The gimbal is held in the hand as in use, and the motors run.", "parameters"},
     {SetupStep::Gains,
-     {.key = "gains", .label = "Gains", .help = "Measures how well the camera is held, lets the board search its gains, and measures again. Where it is held worse than before, the old gains are written back.",
-      .risk = ActionRisk::Writes},
+     {.key = "gains", .label = "Gains", .help = "Measures how well the camera is held and how each axis follows a small step, lets the board search its gains, and measures again. Where it is held worse than before, the old gains are written back.",
+      .risk = ActionRisk::Writes, .arguments = kGainArguments},
      "The gimbal is held in the hand as in use, and the motors run.", "autotune"},
     {SetupStep::Vibration,
      {.key = "vibration", .label = "Vibration", .help = "Measures how the camera vibrates while it is held. Where a line of its own stands out, a notch is tried, and kept only where the axis vibrates less with it.",
@@ -93,7 +95,8 @@ constexpr SetupFigureSpec kFigures[] = {
     {"drift", "Swings when let go", "°", 1}, {"poles", "Poles", "", 0}, {"gentle", "Power that turned it", "/ 255", 0},     {"strays", "Strays from its target", "°", 1},
     {"motorpower", "Power", "/ 255", 0}, {"need", "Still held with a power of", "/ 255", 0}, {"settles", "Off its target after a move", "° RMS", 2},
     {"current", "Current of the gimbal", "A", 2}, {"heat", "Temperature of the motor", "°C", 0},
-    {"holds", "Held to", "° RMS", 3}, {"line", "Strongest line", "Hz", 1},
+    {"holds", "Held to", "° RMS", 3}, {"rises", "Follows a step in", "ms", 0}, {"overshoots", "Overshoots a step by", "%", 0},
+    {"line", "Strongest line", "Hz", 1},
     {"shakes", "Vibrates", "°/s RMS", 2}, {"lowest", "Lowest angle", "°", 0}, {"highest", "Highest angle", "°", 0},
     {"stopslow", "Stops at, lower end", "°", 0}, {"stopshigh", "Stops at, upper end", "°", 0},
     {"stick.low", "Stick at its lower end", "%", 0}, {"stick.rest", "Stick let go", "%", 0}, {"stick.high", "Stick at its upper end", "%", 0},
@@ -147,6 +150,8 @@ constexpr SetupRemarkSpec kRemarks[] = {
     {"gains.better", "It is held better than before."},
     {"gains.same", "It is held about as before."},
     {"gains.shakes", "An axis vibrates strongly with these gains: lower them (page Tuning), or try a notch (step Vibration).", false},
+    {"gains.measured", "Nothing was searched: that is how the gains hold that it has."},
+    {"gains.overshoots", "An axis overshoots far before it rests: more D or less P calms it (page Tuning)."},
     {"gains.takenback", "It was held worse than before: the old gains were written back.", false},
     {"gains.worse", "It is held worse than before, and the old gains could not be written back: see Backups.", false},
     {"vibration.calm", "Nothing vibrates in a line of its own."},

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The steps that measure how the camera is held, and what it is for.
+#include "protocol/analysis/stepresponse.h"
 #include "protocol/device/device.h"
 #include "protocol/guide/setupguide.h"
+#include "protocol/procedure/motiontest.h"
 #include "protocol/procedure/notchplan.h"
 #include "protocol/procedure/notchtrial.h"
 #include "protocol/procedure/safeaction.h"
@@ -19,6 +21,13 @@ namespace {
 
 constexpr double kHoldingSeconds = 8;
 constexpr auto kRest = 2s;
+// The response: small steps, so that nothing is hit, and more than a hand sways.
+constexpr double kStepDegrees = 3;
+constexpr double kStepRest = 1;
+constexpr int kStepCount = 4;
+constexpr double kMostOff = 15;  // degrees beyond the step
+constexpr double kTooWild = 250;  // deg/s
+constexpr double kOvershoots = 60;  // % of the step: it rings before it rests
 constexpr double kBetter = 0.95;
 constexpr double kWorse = 1.1;
 constexpr double kStrong = 3;  // °/s RMS: a hand-held camera that is held well has a tenth of it
@@ -77,14 +86,100 @@ Result<SetupGuide::Figures> SetupGuide::measureHolding()
     return held;
 }
 
-Result<SetupResult> SetupGuide::gains()
+Result<SetupGuide::Held> SetupGuide::measureHeld()
+{
+    const auto off = measureHolding();
+    if (!off)
+        return tl::unexpected(off.error());
+    Held held{*off};
+    for (const Axis axis : kAxes) {
+        const auto response = measureResponse(axis);
+        if (!response)
+            return tl::unexpected(response.error());
+        held.response[std::size_t(axis)] = *response;
+    }
+    return held;
+}
+
+Result<std::optional<SetupGuide::Response>> SetupGuide::measureResponse(Axis axis)
+{
+    const auto at = std::size_t(axis);
+    const std::optional<Response> none;
+    if (m_roles.angle[at] < 0 || m_roles.target[at] < 0 || !m_device.steering())
+        return none;
+    MotionTestPlan plan;
+    plan.axis = axis;
+    plan.degrees = kStepDegrees;
+    plan.steps = kStepCount;
+    plan.rest = kStepRest;
+    plan.limit = kMostOff;
+    plan.maxRate = kTooWild;
+    plan.mayStray = true;
+    plan.told = Progress();
+    plan.told->step = u"setup-response"_s;
+    plan.told->done = int(at);
+    plan.told->total = int(kAxisCount);
+    const auto moved = measureMotion(m_channel, m_device, m_telemetry, plan);
+    if (!moved) {
+        const bool isAbout
+            = moved.error().code == ErrorCode::ConditionUnmet || moved.error().code == ErrorCode::Unready;
+        if (!isAbout)
+            return tl::unexpected(moved.error());
+        // It does not follow; motors that are off say nothing of it.
+        const auto run = requireMotors();
+        return run ? Result<std::optional<Response>>(none) : tl::unexpected(run.error());
+    }
+    const auto steps = measureSteps(moved->target.values, moved->angle.values, moved->angle.rate, kStepRest);
+    if (!steps || !steps->metrics.riseSeconds)
+        return none;
+    return Response{steps->metrics.overshoot, *steps->metrics.riseSeconds};
+}
+
+void SetupGuide::addHeld(const Held &is, const Held *before, SetupResult &result)
+{
+    constexpr double kMilliseconds = 1000;
+    for (const Axis axis : kAxes) {
+        const auto at = std::size_t(axis);
+        result.figures.append({setupFigureKey("holds", axis), is.off[at],
+                               before ? std::optional(before->off[at]) : std::nullopt});
+        const auto &now = is.response[at];
+        const auto was = before ? before->response[at] : std::nullopt;
+        if (!now)
+            continue;
+        const auto add = [&](const char *figure, double Response::*part, double unit) {
+            result.figures.append({setupFigureKey(figure, axis), *now.*part * unit,
+                                   was ? std::optional(*was.*part * unit) : std::nullopt});
+        };
+        add("rises", &Response::riseSeconds, kMilliseconds);
+        add("overshoots", &Response::overshoot, 1);
+        if (now->overshoot > kOvershoots)
+            result.remarks.append(u"gains.overshoots"_s);
+    }
+    result.remarks.removeDuplicates();
+}
+
+// Found elsewhere, by hand or on another page: they are measured all the same.
+Result<SetupResult> SetupGuide::measureGains()
+{
+    const auto held = measureHeld();
+    if (!held)
+        return tl::unexpected(held.error());
+    SetupResult result;
+    result.remarks = QStringList{u"gains.measured"_s};
+    addHeld(*held, nullptr, result);
+    return result;
+}
+
+Result<SetupResult> SetupGuide::gains(const QVariantMap &answers)
 {
     if (const auto run = requireMotors(); !run)
         return tl::unexpected(run.error());
+    if (!answers.value(u"search"_s).toBool())
+        return measureGains();
     const auto base = m_device.readConfiguration(m_channel);
     if (!base)
         return tl::unexpected(base.error());
-    const auto before = measureHolding();
+    const auto before = measureHeld();
     if (!before)
         return tl::unexpected(before.error());
     const auto actions = m_device.actions();
@@ -106,7 +201,7 @@ Result<SetupResult> SetupGuide::gains()
     return judged;
 }
 
-Result<SetupResult> SetupGuide::judgeGains(const Configuration &base, const Figures &before)
+Result<SetupResult> SetupGuide::judgeGains(const Configuration &base, const Held &before)
 {
     const auto now = m_device.readConfiguration(m_channel);
     if (!now)
@@ -115,19 +210,16 @@ Result<SetupResult> SetupGuide::judgeGains(const Configuration &base, const Figu
         return tl::unexpected(kept.error());
     if (const auto slept = m_channel.sleep(kRest); !slept)
         return tl::unexpected(slept.error());
-    const auto after = measureHolding();
+    const auto after = measureHeld();
     if (!after)
         return tl::unexpected(after.error());
     SetupResult result;
     list(base, *now, result);
-    for (const Axis axis : kAxes) {
-        const auto at = std::size_t(axis);
-        result.figures.append({setupFigureKey("holds", axis), (*after)[at], before[at]});
-    }
-    const double was = wholeOf(before);
-    const double is = wholeOf(*after);
+    addHeld(*after, &before, result);
+    const double was = wholeOf(before.off);
+    const double is = wholeOf(after->off);
     if (is <= kWorse * was) {
-        result.remarks = QStringList{is < kBetter * was ? u"gains.better"_s : u"gains.same"_s};
+        result.remarks.prepend(is < kBetter * was ? u"gains.better"_s : u"gains.same"_s);
         // What holds well may ring.
         if (const auto lines = measureLines(result); !lines)
             return tl::unexpected(lines.error());

@@ -50,6 +50,7 @@ const std::vector<Moment> &moments()
         {"motor-power"_L1, "setup-power"_L1, {Idle}},
         {"motor-power"_L1, "written"_L1, {WritesUnheard, WriteBreaks, Idle}},
         {"gains"_L1, "setup-measure"_L1, {WritesUnheard, WriteBreaks, Idle}},
+        {"gains"_L1, "setup-response"_L1, {WritesUnheard, WriteBreaks, Idle}},
         {"gains"_L1, "autotune"_L1, {WritesUnheard, WriteBreaks, Idle}},
         {"vibration"_L1, "setup-measure"_L1, {Idle}},
         {"vibration"_L1, "measure-after"_L1, {WriteBreaks, Idle}},

@@ -37,6 +37,8 @@ private slots:
     void anAxisThatRunsAwayGetsItsPowerBack();
     void refusedPowerChangesNothing();
     void hotMotorsAreTold();
+    void gainsAreMeasuredWithoutASearch();
+    void theResponseIsThatOfTheGains();
     void worseGainsAreTakenBack();
     void aNotchIsKeptWhereItHelps();
     void motorsThatAreOffAreNoMeasurement();
@@ -111,6 +113,8 @@ void TestSetupGuide::anUnpackedGimbalIsTuned()
     result = bench.run("gains");
     QVERIFY2(result && result->remarks.contains(u"gains.better"_s), qPrintable(why(result)));
     QCOMPARE(result->state == State::Poor, result->remarks.contains(u"gains.shakes"_s));
+    QVERIFY2(result->figure(u"rises.pitch"_s) > 1.0 && result->figure(u"overshoots.pitch"_s) >= 0.0,
+             qPrintable(why(result)));
     // Held as the board's own search holds it, and that is what is stored.
     QVERIFY2(*result->figure(u"holds.pitch"_s) < 0.25, qPrintable(why(result)));
     QVERIFY(bench.stored(u"pid.pitch.p"_s) > 12);
@@ -502,6 +506,33 @@ void TestSetupGuide::hotMotorsAreTold()
 }
 
 // Whatever the reason: what is held worse afterwards is not kept.
+void TestSetupGuide::gainsAreMeasuredWithoutASearch()
+{
+    SetupBench bench(false);
+    const int p = bench.stored(u"pid.pitch.p"_s);
+    const auto result = bench.run("gains", {{u"search"_s, u"off"_s}});
+    QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
+    QVERIFY(result->remarks.contains(u"gains.measured"_s));
+    QVERIFY(result->changes.isEmpty() && result->snapshot.isEmpty());
+    QCOMPARE(bench.stored(u"pid.pitch.p"_s), p);
+    QVERIFY2(result->figure(u"holds.pitch"_s) > 0.0, qPrintable(why(result)));
+    QVERIFY2(result->figure(u"rises.pitch"_s) > 1.0, qPrintable(why(result)));
+}
+
+// Weak gains are slower, which the figures show.
+void TestSetupGuide::theResponseIsThatOfTheGains()
+{
+    SetupBench bench(false);
+    const auto strong = bench.run("gains", {{u"search"_s, u"off"_s}});
+    QVERIFY2(strong, qPrintable(why(strong)));
+    bench.board.board().store(u"pid.pitch.p"_s, 0, bench.stored(u"pid.pitch.p"_s) / 4);
+    QVERIFY(bench.board.channel.sleep(5s));
+    const auto weak = bench.run("gains", {{u"search"_s, u"off"_s}});
+    QVERIFY2(weak, qPrintable(why(weak)));
+    QVERIFY2(*weak->figure(u"rises.pitch"_s) > 1.3 * *strong->figure(u"rises.pitch"_s),
+             qPrintable(why(strong) + u" / "_s + why(weak)));
+}
+
 void TestSetupGuide::worseGainsAreTakenBack()
 {
     SetupBench bench(false);

@@ -74,6 +74,7 @@ constexpr StepWords kStepWords[] = {
     {"setup-motor-pitch", QT_TRANSLATE_NOOP("ErrorText", "Pitch alone, with little power: watching whether it runs away")},
     {"setup-motor-yaw", QT_TRANSLATE_NOOP("ErrorText", "Yaw alone, with little power: watching whether it runs away")},
     {"setup-run", QT_TRANSLATE_NOOP("ErrorText", "The motors run: watching whether an axis runs away")},
+    {"setup-response", QT_TRANSLATE_NOOP("ErrorText", "Measuring how each axis follows a small step")},
     {"setup-measure", QT_TRANSLATE_NOOP("ErrorText", "Measuring")},
     {"calibrate-motors", QT_TRANSLATE_NOOP("ErrorText", "The board turns the motors and measures them")},
     {"calibrate-encoders", QT_TRANSLATE_NOOP("ErrorText", "The board reads its encoders: leave the camera as it stands")},
