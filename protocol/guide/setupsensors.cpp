@@ -4,6 +4,7 @@
 #include "protocol/device/bearings.h"
 #include "protocol/device/device.h"
 #include "protocol/guide/setupguide.h"
+#include "protocol/guide/setuplive.h"
 #include "protocol/session/channel.h"
 #include "protocol/telemetry/uniformsamples.h"
 
@@ -16,18 +17,6 @@ namespace {
 
 constexpr double kListeningSeconds = 3;
 constexpr QLatin1String kNoSensor("no-sensor");
-
-double spreadOf(const std::vector<float> &values)
-{
-    double sum = 0;
-    double squares = 0;
-    for (const float value : values) {
-        sum += double(value);
-        squares += double(value) * double(value);
-    }
-    const auto count = double(std::max<std::size_t>(1, values.size()));
-    return std::sqrt(std::max(0.0, squares / count - sum * sum / count / count));
-}
 
 }  // namespace
 

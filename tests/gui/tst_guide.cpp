@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/setup/guidepage.h"
+#include "app/pages/setup/livefigures.h"
 #include "app/pages/setup/stickinputs.h"
 #include "app/workspace/setupbutton.h"
 #include "protocol/device/abilities.h"
@@ -34,6 +35,7 @@ private slots:
     void init() { m_rig = std::make_unique<WindowRig>(); }
     void cleanup() { m_rig.reset(); }
     void anUnpackedGimbalIsTuned();
+    void eachStepShowsWhatItSees();
     void eachStepIsReachedFromItsPage();
     void itGoesOnAnotherDay();
     void nothingBeginsUnconfirmed();
@@ -175,6 +177,30 @@ void TestGuide::anUnpackedGimbalIsTuned()
     }
     qInfo("from the box to the certificate: %d clicks, %.1f minutes", m_clicks + 10,
           double(clock.elapsed()) / 60000);
+}
+
+// Before it begins, too: an operator sees what it will judge.
+void TestGuide::eachStepShowsWhatItSees()
+{
+    QVERIFY(m_rig->open());
+    for (const SetupStepSpec &spec : setupSteps()) {
+        page().choose(spec.step);
+        QCOMPARE(page().live()->isHidden(), spec.step == SetupStep::Remote);  // it has bars of its own
+    }
+    page().choose(SetupStep::Power);
+    QTRY_VERIFY(page().live()->text("Voltage").startsWith(u"12."_s));
+    world(u"battery=11.1"_s);
+    QTRY_VERIFY2(page().live()->text("Voltage").startsWith(u"11."_s),
+                 qPrintable(page().live()->text("Voltage")));
+    page().choose(SetupStep::Sensors);
+    QTRY_VERIFY(page().live()->text("Turn rate varies by").count(u"°/s"_s) == 3);
+    page().choose(SetupStep::Limits);
+    m_rig->workspace().setMotors(false);
+    QTRY_VERIFY(!m_rig->workspace().motorsRunning().value_or(true));
+    world(u"hand=3"_s);
+    const auto pitch
+        = [this] { return page().live()->text("Angle").section(u"°"_s, 1, 1).trimmed().toDouble(); };
+    QTRY_VERIFY2(std::abs(pitch()) > 30, qPrintable(page().live()->text("Angle")));
 }
 
 // And from the step back to the page.

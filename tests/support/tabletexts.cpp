@@ -8,6 +8,7 @@
 #include "protocol/bcflight/tables.h"
 #endif
 #if GIMBAL_WITH_SIMPLEBGC
+#include "protocol/guide/setuplive.h"
 #include "protocol/guide/setuprecord.h"
 #include "protocol/simplebgc/adjustables.h"
 #include "protocol/simplebgc/faults.h"
@@ -122,6 +123,8 @@ bool addSimpleBgc(Texts &texts)
         texts.add(std::span(&step.action, 1));
         texts.add(step.needs);
     }
+    for (const SetupLiveSpec &row : setupLive())
+        texts.add(row.label);
     for (const SetupFigureSpec &figure : setupFigures())
         texts.add(figure.label);
     for (const SetupRemarkSpec &remark : setupRemarks())

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/setup/guidepage.h"
 
+#include "app/pages/setup/livefigures.h"
 #include "app/pages/setup/stickinputs.h"
 #include "app/workspace/question.h"
 #include "app/workspace/wizardparts.h"
@@ -88,6 +89,7 @@ GuidePage::GuidePage(Workspace &workspace, QWidget *parent)
     , m_findings(new QTextBrowser)
     , m_hands(new SimulatedHands(workspace, this))
     , m_remote(new StickInputs(workspace))
+    , m_live(new LiveFigures(workspace))
 {
     header()->addWidget(m_forget);
     header()->addWidget(m_certificate);
@@ -113,6 +115,7 @@ GuidePage::GuidePage(Workspace &workspace, QWidget *parent)
     right->setContentsMargins(0, 0, 0, 0);
     right->setSpacing(12);
     right->addWidget(makeStep());
+    right->addWidget(m_live);
     right->addWidget(m_remote);
     right->addWidget(m_findings, 1);
     right->addWidget(m_hands);
@@ -152,8 +155,13 @@ GuidePage::GuidePage(Workspace &workspace, QWidget *parent)
     connect(&workspace, &Workspace::guidedChanged, this, &GuidePage::updateButtons);
     connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &GuidePage::compare);
     refreshWhileShown(
-        StickInputs::kAsk, [this] { m_remote->ask(); },
-        [this] { return m_remote->isHidden() || m_running || !this->workspace().client().isConnected(); });
+        StickInputs::kAsk,
+        [this] {
+            m_live->refresh();
+            if (!m_remote->isHidden() && !m_running)
+                m_remote->ask();
+        },
+        [this] { return !this->workspace().client().isConnected(); });
     load();
 }
 
@@ -296,6 +304,7 @@ void GuidePage::showStep()
     const QString page = pageTitle(QLatin1String(spec.elsewhere));
     m_elsewhere->setText(tr("More about it: %1…").arg(page));
     m_elsewhere->setVisible(!page.isEmpty());
+    m_live->showStep(m_chosen);
     m_remote->setVisible(m_chosen == SetupStep::Remote);
     showFindings();
     updateButtons();

@@ -7,6 +7,7 @@
 
 class ArgumentForm;
 class Card;
+class LiveFigures;
 class QCheckBox;
 class QListWidget;
 class QProgressBar;
@@ -43,6 +44,7 @@ public:
     /// What the step that runs asks for.
     [[nodiscard]] const Progress &asks() const { return m_asks; }
     [[nodiscard]] StickInputs *remote() const { return m_remote; }
+    [[nodiscard]] LiveFigures *live() const { return m_live; }
     /// Writes the certificate; a name that ends in .pdf gets that, all others HTML. Errors: BadFile.
     Result<void> saveCertificate(const QString &path) const;
 
@@ -88,6 +90,7 @@ private:
     QTextBrowser *m_findings;
     SimulatedHands *m_hands;
     StickInputs *m_remote;
+    LiveFigures *m_live;
     std::vector<SetupStep> m_steps;
     SetupStep m_chosen = SetupStep::Power;
     std::optional<SetupStep> m_running;
