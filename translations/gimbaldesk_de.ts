@@ -20130,7 +20130,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>An axis vibrates strongly: lower its gains (page Tuning), and measure again.</source>
-        <translation>Eine Achse vibriert stark: senken Sie ihre Verstärkung (Seite Abstimmung), und messen Sie noch einmal.</translation>
+        <translation>Eine Achse vibriert stark: senken Sie ihre Verstärkung (Seite Abstimmen), und messen Sie noch einmal.</translation>
     </message>
     <message>
         <source>An axis was hardly moved: its range stays as it was.</source>
@@ -20571,6 +20571,10 @@ Spitze %2°</translation>
     <message>
         <source>An axis vibrates strongly with these gains: lower them (page Tuning), or try a notch (step Vibration).</source>
         <translation>Eine Achse vibriert mit diesen Reglerwerten stark: senken Sie sie (Seite Abstimmen), oder versuchen Sie eine Kerbe (Schritt Vibration).</translation>
+    </message>
+    <message>
+        <source>An axis was held worse with the gains that were found: it has its old ones again, the others the new ones.</source>
+        <translation>Eine Achse wurde mit den gefundenen Werten schlechter gehalten: sie hat wieder ihre alten, die anderen die neuen.</translation>
     </message>
     <message>
         <source>No axis runs away. The motors run.</source>

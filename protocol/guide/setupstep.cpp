@@ -152,6 +152,7 @@ constexpr SetupRemarkSpec kRemarks[] = {
     {"gains.shakes", "An axis vibrates strongly with these gains: lower them (page Tuning), or try a notch (step Vibration).", false},
     {"gains.measured", "Nothing was searched: that is how the gains hold that it has."},
     {"gains.overshoots", "An axis overshoots far before it rests: more D or less P calms it (page Tuning)."},
+    {"gains.axisback", "An axis was held worse with the gains that were found: it has its old ones again, the others the new ones."},
     {"gains.takenback", "It was held worse than before: the old gains were written back.", false},
     {"gains.worse", "It is held worse than before, and the old gains could not be written back: see Backups.", false},
     {"vibration.calm", "Nothing vibrates in a line of its own."},

@@ -9,6 +9,7 @@
 #include "protocol/procedure/notchtrial.h"
 #include "protocol/procedure/safeaction.h"
 #include "protocol/procedure/trialnote.h"
+#include "protocol/procedure/writeconfiguration.h"
 #include "protocol/session/channel.h"
 #include "protocol/telemetry/uniformsamples.h"
 
@@ -24,12 +25,13 @@ constexpr auto kRest = 2s;
 // The response: small steps, so that nothing is hit, and more than a hand sways.
 constexpr double kStepDegrees = 3;
 constexpr double kStepRest = 1;
-constexpr int kStepCount = 4;
+constexpr int kStepCount = 2;
 constexpr double kMostOff = 15;  // degrees beyond the step
 constexpr double kTooWild = 250;  // deg/s
 constexpr double kOvershoots = 60;  // % of the step: it rings before it rests
 constexpr double kBetter = 0.95;
 constexpr double kWorse = 1.1;
+constexpr double kAxisWorse = 1.3;  // what a hand does differs from one measurement to the next
 constexpr double kStrong = 3;  // °/s RMS: a hand-held camera that is held well has a tenth of it
 
 double rmsOfAngles(const std::vector<float> &values)
@@ -201,19 +203,56 @@ Result<SetupResult> SetupGuide::gains(const QVariantMap &answers)
     return judged;
 }
 
+// An axis that the search has made worse gets its own gains back; the others keep theirs.
+Result<bool> SetupGuide::restoreWorse(const Configuration &base, Configuration &board, const Held &before,
+                                      const Held &after)
+{
+    Configuration edited = board;
+    for (const ParameterChange &change : base.changesTo(board)) {
+        const auto at = std::size_t(change.spec->axis);
+        if (at >= kAxisCount || after.off[at] <= kAxisWorse * before.off[at])
+            continue;
+        if (const auto set = edited.setRaw(*change.spec, change.profile, change.from); !set)
+            return tl::unexpected(set.error());
+    }
+    if (board.changesTo(edited).empty())
+        return false;
+    if (const auto kept = keepTrial(m_history, base, board, &edited); !kept)
+        return tl::unexpected(kept.error());
+    const Unbroken unbroken(m_channel);
+    const auto report = writeConfiguration(m_channel, m_device, board, edited,
+                                           {.history = &m_history, .backupDone = true, .live = m_live});
+    if (!report)
+        return tl::unexpected(report.error());
+    if (report->error)
+        return tl::unexpected(*report->error);
+    board = edited;
+    return true;
+}
+
 Result<SetupResult> SetupGuide::judgeGains(const Configuration &base, const Held &before)
 {
-    const auto now = m_device.readConfiguration(m_channel);
+    auto now = m_device.readConfiguration(m_channel);
     if (!now)
         return tl::unexpected(now.error());
     if (const auto kept = keepTrial(m_history, base, *now); !kept)
         return tl::unexpected(kept.error());
     if (const auto slept = m_channel.sleep(kRest); !slept)
         return tl::unexpected(slept.error());
-    const auto after = measureHeld();
+    auto after = measureHeld();
     if (!after)
         return tl::unexpected(after.error());
     SetupResult result;
+    const bool isWholeWorse = wholeOf(after->off) > kWorse * wholeOf(before.off);
+    const auto restored = isWholeWorse ? Result<bool>(false) : restoreWorse(base, *now, before, *after);
+    if (!restored)
+        return tl::unexpected(restored.error());
+    if (*restored) {
+        result.remarks.append(u"gains.axisback"_s);
+        after = measureHeld();
+        if (!after)
+            return tl::unexpected(after.error());
+    }
     list(base, *now, result);
     addHeld(*after, &before, result);
     const double was = wholeOf(before.off);
