@@ -287,6 +287,18 @@
         <source>Ranges whose meaning is documented nowhere</source>
         <translation>Bereiche, deren Bedeutung nirgends dokumentiert ist</translation>
     </message>
+    <message>
+        <source>Files of the board</source>
+        <translation>Dateien des Boards</translation>
+    </message>
+    <message>
+        <source>Files written or erased</source>
+        <translation>Dateien geschrieben oder gelöscht</translation>
+    </message>
+    <message>
+        <source>Files that differ</source>
+        <translation>Dateien, die sich unterscheiden</translation>
+    </message>
 </context>
 <context>
     <name>AdjustableModel</name>
@@ -2032,6 +2044,38 @@
         <source>%1. Waiting until the sensor sends live data again.</source>
         <translation>%1. Gewartet wird, bis der Sensor wieder Live-Daten sendet.</translation>
     </message>
+    <message>
+        <source>Copies of the calibrations</source>
+        <translation>Kopien der Kalibrierungen</translation>
+    </message>
+    <message>
+        <source>Keep the calibrations that the board holds in files, and compare what it has now with what it had before. What its sensors keep themselves no command reads.</source>
+        <translation>Behalten Sie die Kalibrierungen, die das Board in Dateien hält, und vergleichen Sie, was es jetzt hat, mit dem Stand davor. Was seine Sensoren selbst behalten, liest kein Befehl.</translation>
+    </message>
+    <message>
+        <source>Copy…</source>
+        <translation>Kopieren …</translation>
+    </message>
+    <message>
+        <source>Into a file; nothing on the board is changed</source>
+        <translation>In eine Datei; auf dem Board ändert sich nichts</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Vergleichen …</translation>
+    </message>
+    <message>
+        <source>Tell what differs between a copy and the board</source>
+        <translation>Sagen, was sich zwischen einer Kopie und dem Board unterscheidet</translation>
+    </message>
+    <message>
+        <source>Restore…</source>
+        <translation>Wiederherstellen …</translation>
+    </message>
+    <message>
+        <source>Write the calibrations of a copy</source>
+        <translation>Die Kalibrierungen einer Kopie schreiben</translation>
+    </message>
 </context>
 <context>
     <name>CameraPage</name>
@@ -2570,6 +2614,149 @@
     <message>
         <source>Not armed: the motors are being stopped, and the board has not confirmed it.</source>
         <translation>Nicht scharf: Die Motoren werden gestoppt, und das Board hat es noch nicht bestätigt.</translation>
+    </message>
+</context>
+<context>
+    <name>CopyCard</name>
+    <message numerus="yes">
+        <source>%n byte(s)</source>
+        <translation>
+            <numerusform>%n Byte</numerusform>
+            <numerusform>%n Byte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not there</source>
+        <translation>nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Also from another board</source>
+        <translation>Auch von einem anderen Board</translation>
+    </message>
+    <message>
+        <source>Calibrations and licence of another board are refused otherwise: they do not fit this board&apos;s sensors</source>
+        <translation>Kalibrierungen und Lizenz eines anderen Boards werden sonst abgelehnt: Sie passen nicht zu den Sensoren dieses Boards</translation>
+    </message>
+    <message>
+        <source>What differs between the copy and the board</source>
+        <translation>Was sich zwischen Kopie und Board unterscheidet</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Board</translation>
+    </message>
+    <message>
+        <source>This board has no command for it.</source>
+        <translation>Dieses Board hat keinen Befehl dafür.</translation>
+    </message>
+    <message>
+        <source>Copies of a board (*.bin)</source>
+        <translation>Kopien eines Boards (*.bin)</translation>
+    </message>
+    <message>
+        <source>Copy into a file</source>
+        <translation>In eine Datei kopieren</translation>
+    </message>
+    <message>
+        <source>Choose a copy</source>
+        <translation>Eine Kopie wählen</translation>
+    </message>
+    <message>
+        <source>%1 …</source>
+        <translation>%1…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n byte(s) of memory differ.</source>
+        <translation>
+            <numerusform>%n Byte des Speichers unterscheidet sich.</numerusform>
+            <numerusform>%n Byte des Speichers unterscheiden sich.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) differ.</source>
+        <translation>
+            <numerusform>%n Datei unterscheidet sich.</numerusform>
+            <numerusform>%n Dateien unterscheiden sich.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The board holds what the copy does.</source>
+        <translation>Das Board enthält dasselbe wie die Kopie.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n byte(s) of memory are copied.</source>
+        <translation>
+            <numerusform>%n Byte des Speichers ist kopiert.</numerusform>
+            <numerusform>%n Byte des Speichers sind kopiert.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) are copied.</source>
+        <translation>
+            <numerusform>%n Datei ist kopiert.</numerusform>
+            <numerusform>%n Dateien sind kopiert.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n byte(s) of memory were written.</source>
+        <translation>
+            <numerusform>%n Byte des Speichers wurde geschrieben.</numerusform>
+            <numerusform>%n Byte des Speichers wurden geschrieben.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) were written or erased.</source>
+        <translation>
+            <numerusform>%n Datei wurde geschrieben oder gelöscht.</numerusform>
+            <numerusform>%n Dateien wurden geschrieben oder gelöscht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The place of %1 parts of the settings was found; the others are as they were.</source>
+        <translation>Der Platz von %1 Teilen der Einstellungen wurde gefunden; die anderen sind, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>The copy is of another board.</source>
+        <translation>Die Kopie stammt von einem anderen Board.</translation>
+    </message>
+    <message>
+        <source>The copy is of firmware %1.</source>
+        <translation>Die Kopie stammt von Firmware %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>What lies in %n range(s) is documented nowhere.</source>
+        <translation>
+            <numerusform>Was in %n Bereich liegt, ist nirgends dokumentiert.</numerusform>
+            <numerusform>Was in %n Bereichen liegt, ist nirgends dokumentiert.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is in use after a restart.</source>
+        <translation>Es gilt nach einem Neustart.</translation>
+    </message>
+    <message>
+        <source>Profile %1: %2</source>
+        <translation>Profil %1: %2</translation>
+    </message>
+    <message>
+        <source>File %1 %2</source>
+        <translation>Datei %1 %2</translation>
+    </message>
+    <message>
+        <source>Address %1</source>
+        <translation>Adresse %1</translation>
     </message>
 </context>
 <context>
@@ -3970,10 +4157,6 @@
         <translation>das Board meldet die Größe seines Speichers nicht</translation>
     </message>
     <message>
-        <source>this is the memory of another board (%1, firmware %2), with its calibrations and its licence; other=on writes it all the same</source>
-        <translation>dies ist der Speicher eines anderen Boards (%1, Firmware %2), mit dessen Kalibrierungen und Lizenz; other=on schreibt ihn trotzdem</translation>
-    </message>
-    <message>
         <source>it was read from firmware %1, and nobody tells where %2 keeps what</source>
         <translation>er wurde von Firmware %1 gelesen, und niemand sagt, wo %2 was ablegt</translation>
     </message>
@@ -4628,6 +4811,58 @@
     <message>
         <source>%1 is not reached that way</source>
         <translation>%1 ist so nicht zu erreichen</translation>
+    </message>
+    <message>
+        <source>no axis has a motor output: set them first</source>
+        <translation>keine Achse hat einen Motorausgang: zuerst die Ausgänge setzen</translation>
+    </message>
+    <message>
+        <source>the motor of %1 does not turn the camera: see whether it is connected, and nothing is in its way</source>
+        <translation>der Motor von %1 dreht die Kamera nicht: prüfen, ob er angeschlossen und nichts im Weg ist</translation>
+    </message>
+    <message>
+        <source>this is the memory of another board (%1, firmware %2), with its calibrations and its licence; part=settings takes its settings alone, other=on all of it</source>
+        <translation>das ist der Speicher eines anderen Boards (%1, Firmware %2), mit dessen Kalibrierungen und Lizenz; part=settings nimmt nur die Einstellungen, other=on alles</translation>
+    </message>
+    <message>
+        <source>this board has no number, so nobody can tell whether the calibrations and the licence in the copy are its own; part=settings takes the settings alone, other=on all of it</source>
+        <translation>dieses Board hat keine Nummer, also kann niemand sagen, ob Kalibrierungen und Lizenz in der Kopie seine eigenen sind; part=settings nimmt nur die Einstellungen, other=on alles</translation>
+    </message>
+    <message>
+        <source>the board keeps no files</source>
+        <translation>das Board hat keine Dateien</translation>
+    </message>
+    <message>
+        <source>%1 bytes were read before; the same again goes on from there</source>
+        <translation>%1 Byte waren schon gelesen; derselbe Auftrag noch einmal macht dort weiter</translation>
+    </message>
+    <message>
+        <source>each time it is read, the memory holds something else</source>
+        <translation>bei jedem Lesen enthält der Speicher etwas anderes</translation>
+    </message>
+    <message>
+        <source>%1: %2 files were changed before; the same again goes on from there</source>
+        <translation>%1: %2 Dateien waren schon geändert; derselbe Auftrag noch einmal macht dort weiter</translation>
+    </message>
+    <message>
+        <source>%1: the board holds another file (%2)</source>
+        <translation>%1: das Board enthält eine andere Datei (%2)</translation>
+    </message>
+    <message>
+        <source>none of the board&apos;s settings was found in its memory</source>
+        <translation>keine der Einstellungen des Boards wurde in seinem Speicher gefunden</translation>
+    </message>
+    <message>
+        <source>%1 is there already: the copy that is made before needs a file of its own</source>
+        <translation>%1 gibt es schon: die Kopie, die vorher gemacht wird, braucht eine eigene Datei</translation>
+    </message>
+    <message>
+        <source>the board tells nothing of its calibrations</source>
+        <translation>das Board sagt nichts von seinen Kalibrierungen</translation>
+    </message>
+    <message>
+        <source>there is no calibration in this file</source>
+        <translation>in dieser Datei ist keine Kalibrierung</translation>
     </message>
 </context>
 <context>
@@ -5565,6 +5800,26 @@
     <message>
         <source>%1: is it held with a power of %2?</source>
         <translation>%1: wird sie mit einer Leistung von %2 gehalten?</translation>
+    </message>
+    <message>
+        <source>Roll alone, with little power: watching whether it runs away</source>
+        <translation>Roll allein, mit wenig Leistung: beobachtet wird, ob sie davonläuft</translation>
+    </message>
+    <message>
+        <source>Pitch alone, with little power: watching whether it runs away</source>
+        <translation>Pitch allein, mit wenig Leistung: beobachtet wird, ob sie davonläuft</translation>
+    </message>
+    <message>
+        <source>Yaw alone, with little power: watching whether it runs away</source>
+        <translation>Yaw allein, mit wenig Leistung: beobachtet wird, ob sie davonläuft</translation>
+    </message>
+    <message>
+        <source>Measuring how each axis follows a small step</source>
+        <translation>Gemessen wird, wie jede Achse einem kleinen Sprung folgt</translation>
+    </message>
+    <message>
+        <source>Searching the board&apos;s files</source>
+        <translation>Die Dateien des Boards werden gesucht</translation>
     </message>
 </context>
 <context>
@@ -7619,6 +7874,13 @@
     </message>
 </context>
 <context>
+    <name>LiveFigures</name>
+    <message>
+        <source>What the board tells now</source>
+        <translation>Was das Board jetzt meldet</translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message>
         <source>Save the configuration</source>
@@ -8760,6 +9022,10 @@
     <message>
         <source>Signals</source>
         <translation>Signale</translation>
+    </message>
+    <message>
+        <source>Whole board</source>
+        <translation>Ganzes Board</translation>
     </message>
 </context>
 <context>
@@ -19713,10 +19979,6 @@ Spitze %2°</translation>
         <translation>Kopiert eine Datei aus dem Dateisystem des Boards.</translation>
     </message>
     <message>
-        <source>Copies the board&apos;s memory into a file, byte for byte.</source>
-        <translation>Kopiert den Speicher des Boards Byte für Byte in eine Datei.</translation>
-    </message>
-    <message>
         <source>Erase a file of the board</source>
         <translation>Datei des Boards löschen</translation>
     </message>
@@ -19775,10 +20037,6 @@ Spitze %2°</translation>
     <message>
         <source>Replaces the 128 bytes that the board keeps for others.</source>
         <translation>Ersetzt die 128 Byte, die das Board für andere aufhebt.</translation>
-    </message>
-    <message>
-        <source>Restore whole memory</source>
-        <translation>Ganzen Speicher wiederherstellen</translation>
     </message>
     <message>
         <source>Run script</source>
@@ -19961,16 +20219,8 @@ Spitze %2°</translation>
         <translation>Die Aktion läuft nur, wenn beim Start die Menütaste gehalten wird.</translation>
     </message>
     <message>
-        <source>Copy the whole memory</source>
-        <translation>Ganzen Speicher kopieren</translation>
-    </message>
-    <message>
         <source>Stores all five profiles in a slot of the board, loads or clears it.</source>
         <translation>Speichert alle fünf Profile in einem Platz des Boards, lädt oder leert ihn.</translation>
-    </message>
-    <message>
-        <source>Writes a copy of the memory back and compares it. It is in use after a restart.</source>
-        <translation>Schreibt eine Kopie des Speichers zurück und vergleicht sie. In Gebrauch ist sie nach einem Neustart.</translation>
     </message>
     <message>
         <source>store</source>
@@ -20209,10 +20459,6 @@ Spitze %2°</translation>
         <translation>Abstand an jedem Ende</translation>
     </message>
     <message>
-        <source>Measures how well the camera is held, lets the board search its gains, and measures again. Where it is held worse than before, the old gains are written back.</source>
-        <translation>Misst, wie gut die Kamera gehalten wird, lässt das Board seine Reglerwerte suchen, und misst noch einmal. Wird sie schlechter gehalten als vorher, werden die alten Werte zurückgeschrieben.</translation>
-    </message>
-    <message>
         <source>Measures the voltage, finds how many cells the battery has, and sets the alarm and the voltage below which motors are switched off.</source>
         <translation>Misst die Spannung, findet heraus, wie viele Zellen der Akku hat, und stellt den Alarm ein und die Spannung, unter der die Motoren ausgeschaltet werden.</translation>
     </message>
@@ -20261,10 +20507,6 @@ Spitze %2°</translation>
         <translation>Schwingt losgelassen aus</translation>
     </message>
     <message>
-        <source>Switches the motors off, watches how far the camera is moved by hand, and sets the range that steering may reach.</source>
-        <translation>Schaltet die Motoren aus, beobachtet, wie weit die Kamera von Hand bewegt wird, und stellt den Bereich ein, den das Steuern erreichen darf.</translation>
-    </message>
-    <message>
         <source>That is good.</source>
         <translation>Das ist gut.</translation>
     </message>
@@ -20275,10 +20517,6 @@ Spitze %2°</translation>
     <message>
         <source>That is usable; in a steadier place it gets better.</source>
         <translation>Das ist brauchbar; an einem ruhigeren Ort wird es besser.</translation>
-    </message>
-    <message>
-        <source>The board turns each motor to find its poles and its direction. Then the motors start, and are switched off at once where an axis runs away.</source>
-        <translation>Das Board dreht jeden Motor, um Polzahl und Richtung zu finden. Dann starten die Motoren, und werden sofort ausgeschaltet, wo eine Achse davonläuft.</translation>
     </message>
     <message>
         <source>The camera lies or hangs absolutely still.</source>
@@ -20443,14 +20681,6 @@ Spitze %2°</translation>
     <message>
         <source>500 kHz (in a driver: AS5048 PWM)</source>
         <translation>500 kHz (im Treiber: AS5048 PWM)</translation>
-    </message>
-    <message>
-        <source>Compare the whole memory</source>
-        <translation>Ganzen Speicher vergleichen</translation>
-    </message>
-    <message>
-        <source>Compares the board&apos;s memory with a copy of it. Parameters are named where their place can be found; no document tells it.</source>
-        <translation>Vergleicht den Speicher des Boards mit einer Kopie davon. Parameter werden genannt, wo sich ihr Platz finden lässt; dokumentiert ist er nicht.</translation>
     </message>
     <message>
         <source>Find fields of encoders</source>
@@ -21432,6 +21662,218 @@ Spitze %2°</translation>
         <source>%1 acts on the drone&apos;s computer whenever the text is loaded</source>
         <translation>%1 wirkt auf den Rechner der Drohne, sooft der Text geladen wird</translation>
     </message>
+    <message>
+        <source>A sensor on the frame is set up and does not measure: see its cable, or set up none.</source>
+        <translation>Ein Sensor am Rahmen ist eingerichtet und misst nicht: sein Kabel prüfen, oder keinen einrichten.</translation>
+    </message>
+    <message>
+        <source>Acceleration X, Y, Z</source>
+        <translation>Beschleunigung X, Y, Z</translation>
+    </message>
+    <message>
+        <source>An axis overshoots far before it rests: more D or less P calms it (page Tuning).</source>
+        <translation>Eine Achse schwingt weit über, bevor sie ruht: mehr D oder weniger P beruhigt sie (Seite Abstimmen).</translation>
+    </message>
+    <message>
+        <source>An axis ran away with little power and was stopped; the other way round it holds.</source>
+        <translation>Eine Achse lief mit wenig Leistung davon und wurde gestoppt; andersherum hält sie.</translation>
+    </message>
+    <message>
+        <source>Angle of the frame</source>
+        <translation>Winkel des Rahmens</translation>
+    </message>
+    <message>
+        <source>Angle of the motor</source>
+        <translation>Winkel des Motors</translation>
+    </message>
+    <message>
+        <source>Compare the calibrations</source>
+        <translation>Kalibrierungen vergleichen</translation>
+    </message>
+    <message>
+        <source>Compare the whole board</source>
+        <translation>Ganzes Board vergleichen</translation>
+    </message>
+    <message>
+        <source>Compares the board&apos;s calibrations with a copy.</source>
+        <translation>Vergleicht die Kalibrierungen des Boards mit einer Kopie.</translation>
+    </message>
+    <message>
+        <source>Compares the board&apos;s memory and files with a copy. Parameters are named where their place can be found; no document tells it.</source>
+        <translation>Vergleicht Speicher und Dateien des Boards mit einer Kopie. Parameter werden genannt, wo sich ihr Platz finden lässt; kein Dokument sagt ihn.</translation>
+    </message>
+    <message>
+        <source>Copies the board&apos;s memory and its files into a file, byte for byte, and reads all twice. Of each kind files 0 to 15 are asked for: no command lists them.</source>
+        <translation>Kopiert Speicher und Dateien des Boards Byte für Byte in eine Datei und liest alles zweimal. Von jeder Art werden die Dateien 0 bis 15 abgefragt: Kein Befehl zählt sie auf.</translation>
+    </message>
+    <message>
+        <source>Copies the calibrations that the board keeps in files, and what it tells of the others.</source>
+        <translation>Kopiert die Kalibrierungen, die das Board in Dateien hält, und was es von den anderen sagt.</translation>
+    </message>
+    <message>
+        <source>Copies the whole board into a new file first. Then scripts, calibrations and everything else in the board&apos;s file system are gone.</source>
+        <translation>Kopiert zuerst das ganze Board in eine neue Datei. Danach sind Skripte, Kalibrierungen und alles andere im Dateisystem des Boards weg.</translation>
+    </message>
+    <message>
+        <source>Copy the calibrations</source>
+        <translation>Kalibrierungen kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the whole board</source>
+        <translation>Ganzes Board kopieren</translation>
+    </message>
+    <message>
+        <source>Each motor has an encoder.</source>
+        <translation>Jeder Motor hat einen Encoder.</translation>
+    </message>
+    <message>
+        <source>Erase all files of the board</source>
+        <translation>Alle Dateien des Boards löschen</translation>
+    </message>
+    <message>
+        <source>Follows a step in</source>
+        <translation>Folgt einem Sprung in</translation>
+    </message>
+    <message>
+        <source>Let the board search its gains (off: measure those that it has)</source>
+        <translation>Das Board seine Werte suchen lassen (aus: die messen, die es hat)</translation>
+    </message>
+    <message>
+        <source>Listens to the sensors that the board tells of, on the camera, on the frame, and at the motors, and says which of them measure.</source>
+        <translation>Hört auf die Sensoren, die das Board meldet, an der Kamera, am Rahmen und an den Motoren, und sagt, welche davon messen.</translation>
+    </message>
+    <message>
+        <source>Measures how well the camera is held and how each axis follows a small step, lets the board search its gains, and measures again. Where it is held worse than before, the old gains are written back.</source>
+        <translation>Misst, wie gut die Kamera gehalten wird und wie jede Achse einem kleinen Sprung folgt, lässt das Board seine Werte suchen und misst noch einmal. Wird sie schlechter gehalten als vorher, werden die alten Werte zurückgeschrieben.</translation>
+    </message>
+    <message>
+        <source>Motors are plugged in otherwise than was set: each axis has the output now that turns it. Outputs of other profiles are as they were.</source>
+        <translation>Motoren stecken anders, als eingestellt war: jede Achse hat nun den Ausgang, der sie dreht. Die Ausgänge anderer Profile sind, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>Nothing measures the frame, and nothing has to.</source>
+        <translation>Nichts misst den Rahmen, und das muss auch nicht sein.</translation>
+    </message>
+    <message>
+        <source>Nothing was searched: that is how the gains hold that it has.</source>
+        <translation>Es wurde nichts gesucht: so halten die Werte, die es hat.</translation>
+    </message>
+    <message>
+        <source>One motor at a time, all others off, with a fifth of its power: the board turns it to find its poles and its direction, and what turned tells whether it is plugged in at its place. Then it holds its axis alone. Where that runs away, it is stopped at once, and tried the other way round. In the end they all start.</source>
+        <translation>Ein Motor nach dem anderen, alle anderen aus, mit einem Fünftel seiner Leistung: das Board dreht ihn, um Polzahl und Richtung zu finden, und was sich gedreht hat, sagt, ob er an seinem Platz steckt. Dann hält er seine Achse allein. Läuft die davon, wird er sofort gestoppt und andersherum versucht. Am Ende starten alle.</translation>
+    </message>
+    <message>
+        <source>Overshoots a step by</source>
+        <translation>Schwingt bei einem Sprung über um</translation>
+    </message>
+    <message>
+        <source>Power that turned it</source>
+        <translation>Leistung, die ihn drehte</translation>
+    </message>
+    <message>
+        <source>Restore the calibrations</source>
+        <translation>Kalibrierungen wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Restore the whole board</source>
+        <translation>Ganzes Board wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Scripts and calibrations are to be erased</source>
+        <translation>Skripte und Kalibrierungen sollen gelöscht werden</translation>
+    </message>
+    <message>
+        <source>Sensors found</source>
+        <translation>Gefundene Sensoren</translation>
+    </message>
+    <message>
+        <source>Some motors have an encoder set up, others have none.</source>
+        <translation>Für manche Motoren ist ein Encoder eingerichtet, für andere keiner.</translation>
+    </message>
+    <message>
+        <source>Stops at, lower end</source>
+        <translation>Anschlag unten bei</translation>
+    </message>
+    <message>
+        <source>Stops at, upper end</source>
+        <translation>Anschlag oben bei</translation>
+    </message>
+    <message>
+        <source>Switches the motors off, watches how far the camera is moved by hand, and sets the range that steering may reach. Where the board has limits of the axes themselves, they lie half of the margin further.</source>
+        <translation>Schaltet die Motoren aus, beobachtet, wie weit die Kamera von Hand bewegt wird, und setzt den Bereich, den das Steuern erreichen darf. Wo das Board Grenzen der Achsen selbst hat, liegen sie um den halben Abstand weiter.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>The axes themselves stop half of the margin further.</source>
+        <translation>Die Achsen selbst halten um den halben Abstand weiter an.</translation>
+    </message>
+    <message>
+        <source>The board can have a magnetometer: one that is connected is calibrated on the page Calibration.</source>
+        <translation>Das Board kann ein Magnetometer haben: ein angeschlossenes wird auf der Seite Kalibrierung kalibriert.</translation>
+    </message>
+    <message>
+        <source>The board can read encoders; none is set up.</source>
+        <translation>Das Board kann Encoder lesen; es ist keiner eingerichtet.</translation>
+    </message>
+    <message>
+        <source>The camera lies or hangs still.</source>
+        <translation>Die Kamera liegt oder hängt still.</translation>
+    </message>
+    <message>
+        <source>The frame&apos;s angles are measured, too.</source>
+        <translation>Auch die Winkel des Rahmens werden gemessen.</translation>
+    </message>
+    <message>
+        <source>The sensor on the camera does not measure: see its cable. Without it nothing is held.</source>
+        <translation>Der Sensor an der Kamera misst nicht: sein Kabel prüfen. Ohne ihn wird nichts gehalten.</translation>
+    </message>
+    <message>
+        <source>The sensor on the camera measures.</source>
+        <translation>Der Sensor an der Kamera misst.</translation>
+    </message>
+    <message>
+        <source>The sensors and motors are those from which the copy was made</source>
+        <translation>Sensoren und Motoren sind die, von denen die Kopie gemacht wurde</translation>
+    </message>
+    <message>
+        <source>This board reads no encoders: where its motors stand it does not measure.</source>
+        <translation>Dieses Board liest keine Encoder: wo seine Motoren stehen, misst es nicht.</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>Drehrate</translation>
+    </message>
+    <message>
+        <source>Turn rate varies by</source>
+        <translation>Drehrate schwankt um</translation>
+    </message>
+    <message>
+        <source>What of it</source>
+        <translation>Was davon</translation>
+    </message>
+    <message>
+        <source>With the board&apos;s files</source>
+        <translation>Mit den Dateien des Boards</translation>
+    </message>
+    <message>
+        <source>Without a magnetometer the heading drifts slowly.</source>
+        <translation>Ohne Magnetometer driftet der Kurs langsam.</translation>
+    </message>
+    <message>
+        <source>Writes a copy of memory and files back and compares. Settings alone leave calibrations, licence and all that no document describes as it is. It is in use after a restart.</source>
+        <translation>Schreibt eine Kopie von Speicher und Dateien zurück und vergleicht. Nur die Einstellungen lassen Kalibrierungen, Lizenz und alles, was kein Dokument beschreibt, wie es ist. Es gilt nach einem Neustart.</translation>
+    </message>
+    <message>
+        <source>Writes the calibrations that are in a copy back and compares. They are in use after a restart.</source>
+        <translation>Schreibt die Kalibrierungen einer Kopie zurück und vergleicht. Sie gelten nach einem Neustart.</translation>
+    </message>
+    <message>
+        <source>settings</source>
+        <translation>Einstellungen</translation>
+    </message>
 </context>
 <context>
     <name>ThinningText</name>
@@ -21652,6 +22094,10 @@ vorher</translation>
         <source>What it uses is not known until it answers.</source>
         <translation>Was es benutzt, ist nicht bekannt, bis es antwortet.</translation>
     </message>
+    <message>
+        <source>Values in use are not stored</source>
+        <translation>Verwendete Werte sind nicht gespeichert</translation>
+    </message>
 </context>
 <context>
     <name>UnsavedBar</name>
@@ -21850,8 +22296,8 @@ Auf dem Board: %1</translation>
         <translation>Im Text, den das Board aufbewahrt, steht eine andere Zahl für diesen Wert.</translation>
     </message>
     <message>
-        <source>as %1 in the text</source>
-        <translation>als %1 im Text</translation>
+        <source>%1 in the text’s numbers</source>
+        <translation>%1 in Zahlen des Textes</translation>
     </message>
 </context>
 <context>
@@ -21913,6 +22359,61 @@ Auf dem Board: %1</translation>
     <message>
         <source>%1 dB</source>
         <translation>%1 dB</translation>
+    </message>
+</context>
+<context>
+    <name>WholeBoardPage</name>
+    <message>
+        <source>Whole board</source>
+        <translation>Ganzes Board</translation>
+    </message>
+    <message>
+        <source>Copies of the whole board</source>
+        <translation>Kopien des ganzen Boards</translation>
+    </message>
+    <message>
+        <source>A copy holds the board&apos;s memory and its files byte for byte: settings, calibrations, licence, scripts, and what no document describes. All of it is read twice. What is broken off goes on when it is begun again with the same file.</source>
+        <translation>Eine Kopie enthält Speicher und Dateien des Boards Byte für Byte: Einstellungen, Kalibrierungen, Lizenz, Skripte und was kein Dokument beschreibt. Alles wird zweimal gelesen. Was abbricht, geht weiter, wenn es mit derselben Datei noch einmal begonnen wird.</translation>
+    </message>
+    <message>
+        <source>Copy the board…</source>
+        <translation>Board kopieren …</translation>
+    </message>
+    <message>
+        <source>Into a file; nothing on the board is changed</source>
+        <translation>In eine Datei; auf dem Board ändert sich nichts</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Vergleichen …</translation>
+    </message>
+    <message>
+        <source>Tell what differs between a copy and the board</source>
+        <translation>Sagen, was sich zwischen einer Kopie und dem Board unterscheidet</translation>
+    </message>
+    <message>
+        <source>Restore settings…</source>
+        <translation>Einstellungen wiederherstellen …</translation>
+    </message>
+    <message>
+        <source>Write the settings of a copy; calibrations, licence and what no document describes stay</source>
+        <translation>Die Einstellungen einer Kopie schreiben; Kalibrierungen, Lizenz und was kein Dokument beschreibt bleiben</translation>
+    </message>
+    <message>
+        <source>Restore everything…</source>
+        <translation>Alles wiederherstellen …</translation>
+    </message>
+    <message>
+        <source>Write memory and files as they are in a copy</source>
+        <translation>Speicher und Dateien schreiben, wie sie in einer Kopie sind</translation>
+    </message>
+    <message>
+        <source>Erase all files…</source>
+        <translation>Alle Dateien löschen …</translation>
+    </message>
+    <message>
+        <source>Copy the board into a new file, then clear its file system</source>
+        <translation>Das Board in eine neue Datei kopieren, dann sein Dateisystem leeren</translation>
     </message>
 </context>
 <context>
