@@ -207,58 +207,58 @@
     <name>CopyCard</name>
     <message numerus="yes">
         <source>%n byte(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n byte</numerusform>
+            <numerusform>%n bytes</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n byte(s) of memory differ.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n byte of memory differs.</numerusform>
+            <numerusform>%n bytes of memory differ.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n file(s) differ.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n file differs.</numerusform>
+            <numerusform>%n files differ.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n byte(s) of memory are copied.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n byte of memory is copied.</numerusform>
+            <numerusform>%n bytes of memory are copied.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n file(s) are copied.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n file is copied.</numerusform>
+            <numerusform>%n files are copied.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n byte(s) of memory were written.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n byte of memory was written.</numerusform>
+            <numerusform>%n bytes of memory were written.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n file(s) were written or erased.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n file was written or erased.</numerusform>
+            <numerusform>%n files were written or erased.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>What lies in %n range(s) is documented nowhere.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>What lies in %n range is documented nowhere.</numerusform>
+            <numerusform>What lies in %n ranges is documented nowhere.</numerusform>
         </translation>
     </message>
 </context>
