@@ -289,7 +289,7 @@ void TestToyLink::commandsWithFiles()
     Run run = ctl(link, {u"diff"_s, path(u"before.json"_s), path(u"wanted.json"_s)});
     QVERIFY2(run.out.contains(u"rate.gain"_s) && run.out.contains(u"Mission"_s),
              qPrintable(run.out + run.err));
-    run = ctl(link, {u"apply"_s, path(u"wanted.json"_s)});
+    run = ctl(link, {u"apply"_s, path(u"wanted.json"_s), u"--confirmed"_s});
     QVERIFY2(run.exitCode == 0, qPrintable(run.out + run.err));
     QCOMPARE(run.out.count(u"verified"_s), 2);
     QCOMPARE(ctl(link, {u"get"_s, u"rate.gain"_s}).out, u"7e-06\n"_s);
