@@ -19983,10 +19983,6 @@ Spitze %2°</translation>
         <translation>Datei des Boards löschen</translation>
     </message>
     <message>
-        <source>Everything that the board keeps is replaced</source>
-        <translation>Alles, was das Board aufhebt, wird ersetzt</translation>
-    </message>
-    <message>
         <source>Find poles and direction</source>
         <translation>Pole und Drehrichtung finden</translation>
     </message>
@@ -21873,6 +21869,10 @@ Spitze %2°</translation>
     <message>
         <source>settings</source>
         <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>What the board keeps is replaced by what is in the copy</source>
+        <translation>Was das Board behält, wird durch den Inhalt der Kopie ersetzt</translation>
     </message>
 </context>
 <context>

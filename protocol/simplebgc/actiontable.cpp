@@ -322,7 +322,7 @@ constexpr ActionSpec kActions[] = {
      .help = "Writes a copy of memory and files back and compares. Settings alone leave calibrations, licence and all that no document describes as it is. "
              "It is in use after a restart.",
      .group = "Memory", .risk = ActionRisk::Destroys, .arguments = kRestoreArguments, .isProcedure = true, .memory = MemoryEffect::Erases,
-     .confirm = "Everything that the board keeps is replaced", .units = kByteUnits},
+     .confirm = "What the board keeps is replaced by what is in the copy", .units = kByteUnits},
     {.key = "calibration.save", .label = "Copy the calibrations", .help = "Copies the calibrations that the board keeps in files, and what it tells of the others.",
      .group = "Calibration", .arguments = kPathArguments, .isProcedure = true},
     {.key = "calibration.compare", .label = "Compare the calibrations", .help = "Compares the board's calibrations with a copy.",

@@ -16,6 +16,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -140,7 +141,13 @@ QWidget *CalibrationPage::makeChooser()
            "Do it once for "
            "each sensor; each of its six faces has to lie up once. Takes about two minutes."),
         tr("Calibrate six positions"), 2);
-    return holder;
+    auto *scroll = new QScrollArea;
+    scroll->setWidget(holder);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    return scroll;
 }
 
 QWidget *CalibrationPage::makeWizard()

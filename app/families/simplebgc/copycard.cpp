@@ -56,19 +56,22 @@ CopyCard::CopyCard(Workspace &workspace, const QString &title, const QString &te
 {
     auto *about = new QLabel(text);
     about->setWordWrap(true);
-    auto *line = new QHBoxLayout;
-    line->setSpacing(Metric::kGap);
+    auto *harmless = new QHBoxLayout;
+    auto *red = new QHBoxLayout;
     for (const Way &way : m_ways) {
         auto *button = new QPushButton(way.text);
         if (way.isRed)
             button->setObjectName(u"danger"_s);
-        line->addWidget(button);
+        (way.isRed ? red : harmless)->addWidget(button);
         m_buttons.append(button);
         connect(button, &QPushButton::clicked, this, [this, way] { ask(way); });
     }
     setHarmless(*m_cancel);
-    line->addWidget(m_cancel);
-    line->addStretch(1);
+    harmless->addWidget(m_cancel);
+    for (QHBoxLayout *line : {harmless, red}) {
+        line->setSpacing(Metric::kGap);
+        line->addStretch(1);
+    }
     m_other->setToolTip(tr("Calibrations and licence of another board are refused otherwise: they do not fit "
                            "this board's sensors"));
     m_finding->setWordWrap(true);
@@ -83,10 +86,12 @@ CopyCard::CopyCard(Workspace &workspace, const QString &title, const QString &te
     m_table->horizontalHeader()->setSectionResizeMode(CopyBoard, QHeaderView::ResizeToContents);
     m_table->hide();
     content()->addWidget(about);
-    content()->addLayout(line);
-    content()->addWidget(m_other);
+    content()->addLayout(harmless);
+    content()->addLayout(red);
+    content()->addWidget(m_other, 0, Qt::AlignLeft);
     content()->addWidget(m_finding);
     content()->addWidget(m_table, 1);
+    content()->addStretch();  // as long as there is no table
     connect(m_cancel, &QPushButton::clicked, &workspace.client(), &DeviceClient::cancelJobs);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &CopyCard::updateButtons);
     connect(&workspace, &Workspace::guidedChanged, this, &CopyCard::updateButtons);
