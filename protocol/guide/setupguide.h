@@ -37,6 +37,7 @@ public:
 
 private:
     using Figures = std::array<double, kAxisCount>;
+    using Span = std::pair<double, double>;  ///< seconds since the origin of the store
 
     Result<SetupResult> power(const QVariantMap &answers);
     Result<SetupResult> sensors();
@@ -92,6 +93,7 @@ private:
     struct Held
     {
         Figures off{};  ///< degrees RMS
+        Span span;  ///< in which that was measured
         std::array<std::optional<Response>, kAxisCount> response{};
     };
     Result<Held> measureHeld();
@@ -131,9 +133,9 @@ private:
     /// Watches for that time; `each` sees every moment and ends it by an error.
     Result<void> watch(double seconds, const std::function<Result<void>()> &each, const QString &step);
     /// Lets that time pass. @return from when to when, in seconds since the origin of the store
-    Result<std::pair<double, double>> measure(double seconds);
+    Result<Span> measure(double seconds);
     /// How far angles are from their targets, RMS.
-    Result<Figures> measureHolding();
+    Result<Held> measureHolding();
     void tell(const QString &step, double share);
     /// Which way is up, in the axes of the sensor; in no particular unit.
     [[nodiscard]] Vector3 upward() const;
@@ -147,7 +149,7 @@ private:
     Result<void> awaitFollowing(const Vector3 &level);
     /// Lines of the turn rates that may be worth a notch.
     using Lines = std::vector<std::pair<Axis, SpectrumPeak>>;
-    Result<Lines> measureLines(SetupResult &result);
+    Result<Lines> linesOf(const Span &span, SetupResult &result) const;
     /// @return whether the notch was kept
     Result<bool> tryNotchFor(Axis axis, const SpectrumPeak &peak, SetupResult &result);
 

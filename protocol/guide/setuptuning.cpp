@@ -58,7 +58,7 @@ double wholeOf(const std::array<double, kAxisCount> &held)
 
 }  // namespace
 
-Result<std::pair<double, double>> SetupGuide::measure(double seconds)
+Result<SetupGuide::Span> SetupGuide::measure(double seconds)
 {
     const double from = m_telemetry.secondsAt(m_channel.now());
     const auto watched = watch(
@@ -68,14 +68,15 @@ Result<std::pair<double, double>> SetupGuide::measure(double seconds)
     return std::pair(from, m_telemetry.secondsAt(m_channel.now()));
 }
 
-Result<SetupGuide::Figures> SetupGuide::measureHolding()
+Result<SetupGuide::Held> SetupGuide::measureHolding()
 {
     if (const auto news = awaitNews(ChannelRoles::present({m_roles.angle, m_roles.target})); !news)
         return tl::unexpected(news.error());
     const auto span = measure(kHoldingSeconds);
     if (!span)
         return tl::unexpected(span.error());
-    Figures held{};
+    Held held;
+    held.span = *span;
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         if (m_roles.angle[axis] < 0 || m_roles.target[axis] < 0)
             continue;
@@ -83,22 +84,21 @@ Result<SetupGuide::Figures> SetupGuide::measureHolding()
                                             span->first, span->second);
         if (!samples)
             return tl::unexpected(samples.error());
-        held[axis] = rmsOfAngles(samples->values);
+        held.off[axis] = rmsOfAngles(samples->values);
     }
     return held;
 }
 
 Result<SetupGuide::Held> SetupGuide::measureHeld()
 {
-    const auto off = measureHolding();
-    if (!off)
-        return tl::unexpected(off.error());
-    Held held{*off};
+    auto held = measureHolding();
+    if (!held)
+        return held;
     for (const Axis axis : kAxes) {
         const auto response = measureResponse(axis);
         if (!response)
             return tl::unexpected(response.error());
-        held.response[std::size_t(axis)] = *response;
+        held->response[std::size_t(axis)] = *response;
     }
     return held;
 }
@@ -260,7 +260,7 @@ Result<SetupResult> SetupGuide::judgeGains(const Configuration &base, const Held
     if (is <= kWorse * was) {
         result.remarks.prepend(is < kBetter * was ? u"gains.better"_s : u"gains.same"_s);
         // What holds well may ring.
-        if (const auto lines = measureLines(result); !lines)
+        if (const auto lines = linesOf(after->span, result); !lines)
             return tl::unexpected(lines.error());
         if (shakesStrongly(result)) {
             result.remarks.append(u"gains.shakes"_s);
@@ -276,19 +276,14 @@ Result<SetupResult> SetupGuide::judgeGains(const Configuration &base, const Held
     return result;
 }
 
-Result<SetupGuide::Lines> SetupGuide::measureLines(SetupResult &result)
+Result<SetupGuide::Lines> SetupGuide::linesOf(const Span &span, SetupResult &result) const
 {
-    if (const auto news = awaitNews(ChannelRoles::present({m_roles.gyro})); !news)
-        return tl::unexpected(news.error());
-    const auto span = measure(kHoldingSeconds);
-    if (!span)
-        return tl::unexpected(span.error());
     Lines lines;
     for (const Axis axis : kAxes) {
         const int channel = m_roles.gyro[std::size_t(axis)];
         if (channel < 0)
             continue;
-        const auto samples = uniformSamples(m_telemetry, channel, -1, span->first, span->second);
+        const auto samples = uniformSamples(m_telemetry, channel, -1, span.first, span.second);
         if (!samples)
             return tl::unexpected(samples.error());
         const auto found = spectrum(samples->values, samples->rate);
@@ -348,7 +343,12 @@ Result<SetupResult> SetupGuide::vibration(const QVariantMap &answers)
     if (const auto run = requireMotors(); !run)
         return tl::unexpected(run.error());
     SetupResult result;
-    const auto lines = measureLines(result);
+    if (const auto news = awaitNews(ChannelRoles::present({m_roles.gyro})); !news)
+        return tl::unexpected(news.error());
+    const auto span = measure(kHoldingSeconds);
+    if (!span)
+        return tl::unexpected(span.error());
+    const auto lines = linesOf(*span, result);
     if (!lines)
         return tl::unexpected(lines.error());
     const bool tries = answers.value(u"try"_s).toBool() && m_device.notchFilters();

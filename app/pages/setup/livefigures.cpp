@@ -50,23 +50,30 @@ void LiveFigures::showStep(SetupStep step)
 {
     m_figures.clear();
     qDeleteAll(m_body->findChildren<QLabel *>());
-    const Device *device = m_workspace.tables();
-    if (device) {
+    if (m_workspace.tables()) {
         const ChannelRoles &roles = m_workspace.client().roles();
-        for (const Axis axis : kAxes) {
-            auto *head = new QLabel(axisLabel(axis));
-            head->setObjectName(u"muted"_s);
-            head->setAlignment(Qt::AlignRight);
-            m_grid->addWidget(head, 0, 1 + int(axis));
-        }
         int row = 0;
         for (const SetupLiveSpec &spec : setupLive()) {
             if (spec.step == step)
                 addRow(spec, roles, ++row);
         }
+        const bool isOfAxes = std::ranges::any_of(
+            m_figures, [](const Figure &figure) { return figure.spec->triple != nullptr; });
+        if (isOfAxes)
+            addHeads();
     }
     setVisible(!m_figures.empty());
     refresh();
+}
+
+void LiveFigures::addHeads()
+{
+    for (const Axis axis : kAxes) {
+        auto *head = new QLabel(axisLabel(axis));
+        head->setObjectName(u"muted"_s);
+        head->setAlignment(Qt::AlignRight);
+        m_grid->addWidget(head, 0, 1 + int(axis));
+    }
 }
 
 void LiveFigures::addRow(const SetupLiveSpec &spec, const ChannelRoles &roles, int row)

@@ -31,6 +31,7 @@ private:
         QLabel *label = nullptr;
     };
     [[nodiscard]] QString valueText(const Figure &figure) const;
+    void addHeads();
     void addRow(const SetupLiveSpec &spec, const ChannelRoles &roles, int row);
 
     Workspace &m_workspace;
