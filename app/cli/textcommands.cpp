@@ -31,7 +31,9 @@ public:
     QList<CommandOption> options() override
     {
         return {textOption(u"block"_s, u"KEY"_s, u"which text, where boards keep several"_s, m_block),
-                switchOption(u"dry-run"_s, u"only show what would be written"_s, m_dryRun)};
+                switchOption(u"dry-run"_s, u"only show what would be written"_s, m_dryRun),
+                switchOption(u"confirmed"_s, u"a text is written although something speaks against it"_s,
+                             m_confirmed)};
     }
     QString check() const override
     {
@@ -137,13 +139,16 @@ private:
     }
 
     // What speaks against the texts, a line each.
-    [[nodiscard]] static QStringList doubtsOf(const Device &device, const Configuration &wanted)
+    [[nodiscard]] static QStringList doubtsOf(const Device &device, const Configuration &wanted,
+                                              const Configuration &board)
     {
         QStringList lines;
         const FlyingMachine *flight = device.flight();
-        for (const ScriptMistake &doubt : flight ? flight->doubts(wanted) : std::vector<ScriptMistake>())
-            lines.append(u"line %1: %2"_s.arg(QString::number(doubt.line),
-                                              doubt.sentence(QString::fromUtf8(doubt.what))));
+        for (const ScriptMistake &doubt :
+             flight ? flight->doubts(wanted, board) : std::vector<ScriptMistake>()) {
+            const QString line = doubt.line > 0 ? u"line %1: "_s.arg(doubt.line) : QString();
+            lines.append(line + doubt.sentence(QString::fromUtf8(doubt.what)));
+        }
         return lines;
     }
 
@@ -171,7 +176,7 @@ private:
             return *refused;
         Configuration wanted(BoardIdentity(), meant->makeParameters(BoardIdentity()));
         wanted.setBlock({0, checked.front().id}, *text);
-        const QStringList doubts = doubtsOf(*meant->makeDevice(), wanted);
+        const QStringList doubts = doubtsOf(*meant->makeDevice(), wanted, Configuration());
         CommandOutcome outcome;
         outcome.json = QJsonObject{{u"valid"_s, true}, {u"doubts"_s, QJsonArray::fromStringList(doubts)}};
         outcome.text = u"valid %1\n"_s.arg(QLatin1String(checked.front().language));
@@ -249,14 +254,20 @@ private:
         emit told(shown.text.chopped(1));
         Configuration edited = *base;
         edited.setBlock(key, text);
-        for (const QString &doubt : doubtsOf(device, edited))
+        const QStringList doubts = doubtsOf(device, edited, *base);
+        for (const QString &doubt : doubts)
             emit told(u"against the text: "_s + doubt);
+        if (!doubts.isEmpty() && !m_confirmed)
+            return failure(ErrorCode::InvalidArgument,
+                           u"nothing was written: what speaks against the text has to be confirmed with "
+                           "--confirmed"_s);
         options.named.insert(QLatin1String(block.data));
         return writeAndTellMissing(channel, device, *base, edited, options);
     }
 
     QString m_block;
     bool m_dryRun = false;
+    bool m_confirmed = false;
 };
 
 }  // namespace

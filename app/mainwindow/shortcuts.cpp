@@ -94,7 +94,9 @@ void MainWindow::review()
     m_review->setFlies(m_workspace->notifications().flies());
     m_review->setDoubtsOf([this](const Configuration &wanted) {
         const Device *device = m_workspace->client().device();
-        return device && device->flight() ? device->flight()->doubts(wanted) : std::vector<ScriptMistake>();
+        return device && device->flight()
+            ? device->flight()->doubts(wanted, std::as_const(m_workspace->configuration()).board())
+            : std::vector<ScriptMistake>();
     });
     m_review->setAttribute(Qt::WA_DeleteOnClose);
     // What it compares with is old then.

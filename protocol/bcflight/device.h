@@ -66,7 +66,8 @@ public:
     [[nodiscard]] const FlyingMachine *flight() const override { return this; }
     [[nodiscard]] const char *refusal() const override;
     [[nodiscard]] QByteArray axesKey(const Configuration &configuration) const override;
-    [[nodiscard]] std::vector<ScriptMistake> doubts(const Configuration &configuration) const override;
+    [[nodiscard]] std::vector<ScriptMistake> doubts(const Configuration &wanted,
+                                                    const Configuration &board) const override;
     [[nodiscard]] const char *calibration() const override { return "calibrate.all"; }
     [[nodiscard]] const char *doubt(const QString &action, const QVariantMap &arguments) const override;
     Result<void> checkMayTake(Channel &channel, const RawCommand &command) override;

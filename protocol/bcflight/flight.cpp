@@ -135,9 +135,10 @@ QByteArray Device::axesKey(const Configuration &configuration) const
     return QCryptographicHash::hash(text, QCryptographicHash::Sha1).toHex();
 }
 
-std::vector<ScriptMistake> Device::doubts(const Configuration &configuration) const
+std::vector<ScriptMistake> Device::doubts(const Configuration &wanted, const Configuration &board) const
 {
-    return findDoubts(configuration.block({0, ConfigurationText}));
+    const BlockKey key{0, ConfigurationText};
+    return findDoubts(wanted.block(key), board.isEmpty() ? QByteArray() : board.block(key));
 }
 
 Result<void> Device::checkMaySend(Channel &channel, Message id) const

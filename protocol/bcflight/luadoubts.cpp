@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 #include <QRegularExpression>
+#include <QSet>
 
 #include <algorithm>
 #include <array>
@@ -232,12 +233,60 @@ private:
     std::vector<Block> m_blocks;
 };
 
+// Names that are set where a line begins, and at any depth.
+QSet<QString> setIn(const QByteArray &text, bool isOutermost)
+{
+    static const QRegularExpression outermost(u"^([A-Za-z_][\\w.]*)[ \\t]*=(?!=)"_s,
+                                              QRegularExpression::MultilineOption);
+    static const QRegularExpression any(u"(?<![\\w.])([A-Za-z_][\\w.]*)\\s*=(?!=)"_s);
+    QSet<QString> names;
+    for (auto found = (isOutermost ? outermost : any).globalMatch(QString::fromLatin1(onlyCode(text)));
+         found.hasNext();)
+        names.insert(found.next().captured(1));
+    return names;
+}
+
+// Where it is listened at, in the order of the text.
+QStringList portsIn(const QByteArray &text)
+{
+    static const QRegularExpression port(u"(?<!\\w)port\\s*=\\s*(\\d+)"_s);
+    QStringList ports;
+    for (auto found = port.globalMatch(QString::fromLatin1(onlyCode(text))); found.hasNext();)
+        ports.append(found.next().captured(1));
+    return ports;
+}
+
+void doubtLosses(const QByteArray &text, const QByteArray &before, Doubts &doubts)
+{
+    QStringList lost = (setIn(before, true) - setIn(text, false)).values();
+    lost.sort();
+    for (const QString &name : lost)
+        doubts.push_back(
+            {0,
+             0,
+             QT_TRANSLATE_NOOP("Tables",
+                               "%1 is set in the drone's text, and no more in this one: without what it "
+                               "needs the drone does not start, or is never heard again"),
+             {name}});
+    const QStringList now = portsIn(before);
+    const QStringList next = portsIn(text);
+    if (lost.isEmpty() && !now.isEmpty() && now != next)
+        doubts.push_back({0,
+                          0,
+                          QT_TRANSLATE_NOOP("Tables",
+                                            "ports change from %1 to %2: the drone may not be heard at "
+                                            "its present address any more"),
+                          {now.join(u", "_s), next.isEmpty() ? u"–"_s : next.join(u", "_s)}});
+}
+
 }  // namespace
 
-std::vector<ScriptMistake> findDoubts(const QByteArray &text)
+std::vector<ScriptMistake> findDoubts(const QByteArray &text, const QByteArray &before)
 {
     Doubts doubts;
     doubtMixing(text, doubts);
+    if (!before.isEmpty())
+        doubtLosses(text, before, doubts);
     BlockReader(onlyCode(text)).read(text, doubts);
     std::stable_sort(doubts.begin(), doubts.end(),
                      [](const ScriptMistake &a, const ScriptMistake &b) { return a.line < b.line; });

@@ -38,8 +38,10 @@ public:
     /// What of a configuration, and of the program that it was read from, decides how its axes are counted
     /// and its motors take part. Where it changes, the directions have to be checked anew.
     [[nodiscard]] virtual QByteArray axesKey(const Configuration &configuration) const = 0;
-    /// What speaks against its texts, found without running them. Empty proves nothing.
-    [[nodiscard]] virtual std::vector<ScriptMistake> doubts(const Configuration &configuration) const = 0;
+    /// What speaks against the texts of a configuration, found without running them. Empty proves nothing.
+    /// @param board what it holds now, or nothing
+    [[nodiscard]] virtual std::vector<ScriptMistake> doubts(const Configuration &wanted,
+                                                            const Configuration &board) const = 0;
     /// What is not certain of an action with these arguments, as a sentence of the tables to be told before
     /// it is confirmed; empty: nothing is known to be open.
     [[nodiscard]] virtual const char *doubt(const QString &action, const QVariantMap &arguments) const = 0;

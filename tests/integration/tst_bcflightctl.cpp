@@ -413,6 +413,11 @@ void TestBcflightCtl::textIsReadComparedAndWritten()
     QCOMPARE(ctl(link + QStringList{u"config"_s, u"diff"_s, file, file}).exitCode, 2);
     const Run dry = ctl(link + QStringList{u"config"_s, u"write"_s, file, u"--dry-run"_s});
     QVERIFY2(dry.out.contains(u"+\tpid_roll = PID( 99, 25, 80 )"_s), qPrintable(dry.out));
+    // Valid, and the end of the drone.
+    const Run cut = ctl(link + QStringList{u"config"_s, u"write"_s, save(u"cut.lua"_s, "x = 1\n")});
+    QVERIFY(cut.exitCode != 0);
+    QVERIFY2(cut.err.contains(u"controller is set in the drone's text"_s), qPrintable(cut.err));
+    QVERIFY2(cut.err.contains(u"--confirmed"_s), qPrintable(cut.err));
     QCOMPARE(ctl(link + QStringList{u"config"_s, u"read"_s, u"-"_s}).out.toUtf8(), text);
 
     const Run written = ctl(link + QStringList{u"config"_s, u"write"_s, file});

@@ -112,6 +112,7 @@ private slots:
     void entriesAreCounted();
     void doubtsAreFound_data();
     void doubtsAreFound();
+    void lossesAreDoubted();
     void nothingIsDoubtedWithoutCause_data();
     void nothingIsDoubtedWithoutCause();
 };
@@ -658,6 +659,32 @@ void TestBcflightWire::doubtsAreFound()
         isThere |= doubt.line == line && sentence.contains(says);
     }
     QVERIFY2(isThere, qPrintable(found.join(u'\n')));
+}
+
+// What the drone lives by is not dropped unnoticed.
+void TestBcflightWire::lossesAreDoubted()
+{
+    const QByteArray before
+        = kConfiguration + "controller = Controller {\n\tlink = Socket{ port = 2020 },\n}\n";
+    const auto told = [&before](const QByteArray &text) {
+        QStringList found;
+        for (const ScriptMistake &doubt : findDoubts(text, before))
+            found.append(doubt.sentence(QString::fromUtf8(doubt.what)));
+        return found.join(u'\n');
+    };
+    QCOMPARE(told(before), QString());
+    QVERIFY2(told("x = 1").contains(u"stabilizer is set"_s), qPrintable(told("x = 1")));
+    QVERIFY2(told(kConfiguration).contains(u"controller is set"_s), qPrintable(told(kConfiguration)));
+    QByteArray moved = before;
+    moved.replace("port = 2020", "port = 2021");
+    QVERIFY2(told(moved).contains(u"ports change from"_s), qPrintable(told(moved)));
+    QByteArray quiet = before;
+    quiet.replace("stabilizer =", "-- stabilizer =");
+    QVERIFY2(told(quiet).contains(u"stabilizer is set"_s), qPrintable(told(quiet)));
+    // Set otherwise, it is set.
+    QByteArray otherwise = before;
+    otherwise.replace("stabilizer =", "local unused = 1\nstabilizer  =");
+    QCOMPARE(told(otherwise), QString());
 }
 
 // What only looks like it, and what has a way out.
