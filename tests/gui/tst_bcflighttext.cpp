@@ -329,8 +329,9 @@ void TestBcflightText::writtenGainsAreNotStoredYet()
     auto *tuning = m_rig->page<TuningPage>();
     QVERIFY(window().showPage(u"tuning"_s));
     QTRY_VERIFY(tuning->stateText().contains(u"not stored"_s));
-    const auto done = m_rig->workspace().storeAll();
-    QTRY_VERIFY(done.isFinished() && done.result());
+    const auto done = m_rig->workspace().perform(u"gains.store"_s, {});
+    QTRY_VERIFY(done.isFinished());
+    QVERIFY(done.result());
     QVERIFY(held().contains("pid_yaw = PID( 198"));
     QTRY_VERIFY(!m_rig->workspace().isUnstored());
     QTRY_VERIFY(!bar->isVisibleTo(&window()));

@@ -431,7 +431,7 @@ void TestBcflightCtl::textIsReadComparedAndWritten()
     const Run gain = ctl(link + QStringList{u"get"_s, u"pid.roll.p"_s});
     QVERIFY2(gain.err.contains(u"pid.roll.p stands as 99 in the configuration text"_s), qPrintable(gain.err));
     QVERIFY(gain.out.trimmed().toDouble() > 0.0015);
-    const auto listed = [&link] { return ctl(link + QStringList{u"list"_s, u"pid.roll.p"_s}).out; };
+    const auto listed = [this, &link] { return ctl(link + QStringList{u"list"_s, u"pid.roll.p"_s}).out; };
     QVERIFY(listed().contains(u"99 in the text"_s));
     QVERIFY(!listed().contains(u"not stored"_s));
     // What is set is in use, and the text has what it had.
