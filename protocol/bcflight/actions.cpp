@@ -455,7 +455,7 @@ Result<QByteArray> Device::withGains(const QByteArray &text, const QByteArray &g
         const double scale = (*scales)[term];
         const float gain = gainAt(gains, variable);
         const Literal &literal = (*found)[term];
-        if (float(literal.value * scale) == gain)
+        if (isSameGain(float(literal.value * scale), gain))
             continue;
         // Another ground may have set anything, and what is no number names a variable there.
         const double value = literalFor(gain, scale);
@@ -507,7 +507,7 @@ Result<ActionReply> Device::storeGains(Channel &channel)
     if (!used)
         return tl::unexpected(used.error());
     for (int variable = 0; variable < kRateGains; ++variable) {
-        if (gainAt(*used, variable) != gainAt(*gains, variable))
+        if (!isSameGain(gainAt(*used, variable), gainAt(*gains, variable)))
             return failure(ErrorCode::NotStored, u"after its restart the drone uses other gains"_s);
     }
     return reply;

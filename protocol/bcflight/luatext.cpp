@@ -293,12 +293,19 @@ static int waysToReach(double value, double scale, float gain)
 static double shortestFor(float gain, double scale, int ways)
 {
     const double exact = double(gain) / scale;
-    for (int digits = 3; digits < 17; ++digits) {
-        const double value = QByteArray::number(exact, 'g', digits).toDouble();
-        if (waysToReach(value, scale, gain) >= ways)
-            return value;
+    for (int wanted = ways; wanted > 0; --wanted) {
+        for (int digits = 3; digits < 17; ++digits) {
+            const double value = QByteArray::number(exact, 'g', digits).toDouble();
+            if (waysToReach(value, scale, gain) >= wanted)
+                return value;
+        }
     }
     return exact;
+}
+
+bool isSameGain(float a, float b)
+{
+    return a == b || std::nextafter(a, b) == b;
 }
 
 double literalFor(float gain, double scale)
@@ -314,9 +321,9 @@ double figureFor(float gain, double scale)
 QByteArray replaced(const QByteArray &text, const Literal &literal, double value)
 {
     QByteArray number;
-    for (int digits = 1; digits <= 9; ++digits) {
+    for (int digits = 1; digits <= 17; ++digits) {
         number = QByteArray::number(value, 'g', digits);
-        if (number.toFloat() == float(value))
+        if (number.toDouble() == value)
             break;
     }
     return text.first(literal.from) + number + text.sliced(literal.to);

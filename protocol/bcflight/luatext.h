@@ -44,8 +44,10 @@ inline constexpr std::array kGainNames{"pid_roll", "pid_pitch", "pid_yaw"};
 /// The same for the screen: the shortest of which it can have made this gain.
 [[nodiscard]] double figureFor(float gain, double scale);
 
-/// The text with another number there; all else stays byte for byte. As short as it reads back the same in
-/// single precision, which is what the drone computes with.
+/// As alike as the drone's arithmetic, in single precision at one step or another, can leave them.
+[[nodiscard]] bool isSameGain(float a, float b);
+
+/// The text with another number there, as short as it reads back the same; all else stays byte for byte.
 [[nodiscard]] QByteArray replaced(const QByteArray &text, const Literal &literal, double value);
 
 /// How a motor takes part in each motion: roll, pitch, yaw, thrust.

@@ -35,7 +35,9 @@ std::optional<double> gainAtStart(const Configuration &configuration, const Para
     if (!scales || !gains)
         return {};
     const auto term = std::size_t(spec.adjustable % 3);
-    return double(float((*gains)[term].value * (*scales)[term]));
+    const float gain = float((*gains)[term].value * (*scales)[term]);
+    const auto used = configuration.raw(spec, 0);
+    return used && isSameGain(float(*used), gain) ? *used : double(gain);
 }
 
 // clang-format off

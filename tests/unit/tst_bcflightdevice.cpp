@@ -309,7 +309,8 @@ void TestBcflightDevice::gainsAreStoredInTheText()
         const double next = double(float(used + 0.001));
         QVERIFY(rig.device.writeAdjustables(rig.channel, {{spec.id, next}}));
         const auto told = rig.perform("gains.store");
-        QVERIFY2(told && told->contains(QLatin1String(spec.key)), spec.key);
+        QVERIFY2(told, told ? "" : qPrintable(QLatin1String(spec.key) + u" "_s + told.error().detail));
+        QVERIFY2(told->contains(QLatin1String(spec.key)), spec.key);
         QCOMPARE(told->value(u"changed"_s).toInt(), 1);
     }
 }
