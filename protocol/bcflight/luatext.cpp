@@ -321,9 +321,9 @@ double figureFor(float gain, double scale)
 QByteArray replaced(const QByteArray &text, const Literal &literal, double value)
 {
     QByteArray number;
-    for (int digits = 1; digits <= 17; ++digits) {
+    for (int digits = 1; digits <= 9; ++digits) {
         number = QByteArray::number(value, 'g', digits);
-        if (number.toDouble() == value)
+        if (number.toFloat() == float(value))
             break;
     }
     return text.first(literal.from) + number + text.sliced(literal.to);

@@ -47,7 +47,8 @@ inline constexpr std::array kGainNames{"pid_roll", "pid_pitch", "pid_yaw"};
 /// As alike as the drone's arithmetic, in single precision at one step or another, can leave them.
 [[nodiscard]] bool isSameGain(float a, float b);
 
-/// The text with another number there, as short as it reads back the same; all else stays byte for byte.
+/// The text with another number there; all else stays byte for byte. As short as it reads back the same in
+/// single precision, which is what the drone computes with.
 [[nodiscard]] QByteArray replaced(const QByteArray &text, const Literal &literal, double value);
 
 /// How a motor takes part in each motion: roll, pitch, yaw, thrust.

@@ -322,11 +322,11 @@ void TestValueForms::sliderOfAFloat()
     QCOMPARE(slider.slider()->value(), 500);
     slider.show(2e-6, 2e-6);
     QCOMPARE(edited.count(), 0);  // it has shown it, and not rounded it
-    // It spans four times what is stored, not the range that is thousands of times that.
+    // It spans three times what is stored, not the range that is thousands of times that.
     slider.slider()->setValue(1000);
-    QCOMPARE(edited.takeFirst().first().toDouble(), double(8e-6F));
+    QCOMPARE(edited.takeFirst().first().toDouble(), double(6e-6F));
     slider.slider()->setValue(500);
-    QCOMPARE(edited.takeFirst().first().toDouble(), double(4e-6F));
+    QCOMPARE(edited.takeFirst().first().toDouble(), double(3e-6F));
     slider.show(0.03, 2e-6);  // in use, further away
     QCOMPARE(slider.slider()->value(), slider.slider()->maximum());
     slider.show(0.0, 0.0);

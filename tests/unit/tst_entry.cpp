@@ -50,6 +50,8 @@ void TestEntry::menuEntriesHaveTheirRisk()
     QFETCH(bool, isShown);
     VirtualBoard board(withFirmware(2738));
     QVERIFY(board.identify());
+    for (const int slot : {1, 6})  // an empty one cannot be loaded
+        QVERIFY(board.device.perform(board.channel, u"profile_set"_s, {{u"action"_s, 1}, {u"slot"_s, slot}}));
     const QTemporaryDir dir;
     const BoardHistory history(dir.path());
     const auto done = performSafely(board.channel, board.device, u"menu"_s, {{u"command"_s, entry}}, history);
