@@ -102,8 +102,12 @@ void PingProbe::pingSent(std::uint16_t tick, TimePoint now)
 {
     m_pings.push_back({tick, now});
     m_begun = m_begun.value_or(now);
-    if (m_pings.size() > kRemembered)
+    if (m_pings.size() > kRemembered) {
+        m_older.push_back(m_pings.front());
         m_pings.pop_front();
+    }
+    while (!m_older.empty() && now - m_older.front().at > kAnswerable)
+        m_older.pop_front();
     closeWindows(now);
 }
 
@@ -143,6 +147,9 @@ void PingProbe::pingArrived(Bytes payload, TimePoint at)
     const auto ours = std::find_if(m_pings.rbegin(), m_pings.rend(),
                                    [tick](const Ping &ping) { return ping.tick == tick; });
     if (ours == m_pings.rend()) {
+        // Whoever was deaf or held up answers what was long ago.
+        if (std::ranges::any_of(m_older, [tick](const Ping &ping) { return ping.tick == tick; }))
+            return;
         // The link was found by PINGs, of which this probe has not heard; their answers may be late.
         const auto age = milliseconds(std::uint16_t(tickAt(at) - tick));
         if (age > kFoundBy || (m_begun && at - age >= *m_begun))

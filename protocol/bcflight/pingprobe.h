@@ -55,6 +55,7 @@ private:
     [[nodiscard]] std::optional<double> answered(TimePoint now) const;
 
     std::deque<Ping> m_pings;  // the newest last
+    std::deque<Ping> m_older;  // their answers may come yet
     std::optional<TimePoint> m_begun;  // with the first of them
     std::optional<Duration> m_roundTrip;
     std::map<Message, TimePoint> m_asked;

@@ -147,6 +147,7 @@ private slots:
     void anAbsenceOnPurposeIsNoLoss();
     void aDatagramThatComesTwiceIsOurs();
     void aForeignTickIsNoticed();
+    void answersOfLongAgoAreOurs();
     void anAnswerToWhatNobodyAskedIsNoticed();
     void whatWasAskedIsOurs();
     void answersThatComeAlongAreOurs();
@@ -251,6 +252,21 @@ void TestBcflightLink::aForeignTickIsNoticed()
     QVERIFY(rig.quality().isShared);
     QCOMPARE(rig.quality().roundTrip, std::optional<Duration>(30ms));  // not by that answer
     rig.run(PingProbe::kShareMemory + 1s);
+    QVERIFY(!rig.quality().isShared);
+}
+
+// Deaf for longer than PINGs are counted, it answers all of them at once.
+void TestBcflightLink::answersOfLongAgoAreOurs()
+{
+    Rig rig;
+    rig.run(3s);
+    const QByteArray first = rig.beat();
+    rig.isHeld = true;
+    rig.run(kBeat * int(PingProbe::kRemembered) + 10s);
+    rig.isHeld = false;
+    rig.arrive(first, rig.now);
+    rig.run(1s);
+    QCOMPARE(rig.quality().foreign, 0u);
     QVERIFY(!rig.quality().isShared);
 }
 
