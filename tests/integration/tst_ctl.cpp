@@ -757,7 +757,8 @@ void TestCtl::optionsOfOtherCommandsAreRefused_data()
     row({u"monitor"_s, u"--no-save"_s},
         u"it takes --channels a,b, --stream KIND@RATE, --seconds N, "_s + general);
     row({u"apply"_s, u"x"_s, u"--colour"_s},
-        u"apply has no option '--colour'; it takes --dry-run, --partial, --others WHAT, --confirmed, "_s + general);
+        u"apply has no option '--colour'; it takes --dry-run, --partial, --others WHAT, --confirmed, "_s
+            + general);
 }
 
 void TestCtl::optionsOfOtherCommandsAreRefused()
