@@ -59,7 +59,8 @@ private:
             page().confirmBox()->setChecked(true);
             ++m_clicks;
         }
-        if (!page().beginButton()->isEnabled())
+        // What the step before has begun may still go on.
+        if (!QTest::qWaitFor([this] { return page().beginButton()->isEnabled(); }, kPatience))
             return State::Open;
         page().beginButton()->click();
         std::ignore = QTest::qWaitFor([this] { return !page().isUnderWay(); }, 4 * kPatience);
