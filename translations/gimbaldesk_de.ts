@@ -22296,8 +22296,8 @@ Auf dem Board: %1</translation>
         <translation>Im Text, den das Board aufbewahrt, steht eine andere Zahl für diesen Wert.</translation>
     </message>
     <message>
-        <source>%1 in the text’s numbers</source>
-        <translation>%1 in Zahlen des Textes</translation>
+        <source>≙ %1 in the text</source>
+        <translation>≙ %1 im Text</translation>
     </message>
 </context>
 <context>

@@ -309,11 +309,11 @@ void TestBcflightText::gainsAreShownAsInTheText()
         }
         return QString();
     };
-    QTRY_COMPARE(figure(parameters), u"90 in the text’s numbers"_s);
+    QTRY_COMPARE(figure(parameters), u"≙ 90 in the text"_s);
     m_rig->edit(u"pid.roll.p"_s, 0, double(float(m_rig->raw(u"pid.roll.p"_s) * 1.1)));
-    QTRY_COMPARE(figure(parameters), u"99 in the text’s numbers"_s);
+    QTRY_COMPARE(figure(parameters), u"≙ 99 in the text"_s);
     m_rig->workspace().edits().undo();
-    QTRY_COMPARE(figure(m_rig->page<TuningPage>()), u"90 in the text’s numbers"_s);
+    QTRY_COMPARE(figure(m_rig->page<TuningPage>()), u"≙ 90 in the text"_s);
 }
 
 // In use is not stored: the text says what the drone starts with.

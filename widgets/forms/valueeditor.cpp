@@ -217,7 +217,7 @@ void ValueEditor::showFigure(std::optional<double> figure)
 {
     if (!m_figure)
         return;
-    m_figure->setText(figure ? tr("%1 in the text’s numbers").arg(shortNumberText(*figure))
+    m_figure->setText(figure ? tr("≙ %1 in the text").arg(shortNumberText(*figure))
                              : tr("not told by the text"));
     m_figure->setToolTip(tr("The text that the board keeps has another number for this value."));
 }
