@@ -332,7 +332,7 @@ void TestBcflightText::writtenGainsAreNotStoredYet()
     const auto done = m_rig->workspace().perform(u"gains.store"_s, {});
     QTRY_VERIFY(done.isFinished());
     QVERIFY(done.result());
-    QVERIFY(held().contains("pid_yaw = PID( 198"));
+    QTRY_VERIFY(held().contains("pid_yaw = PID( 198"));
     QTRY_VERIFY(!m_rig->workspace().isUnstored());
     QTRY_VERIFY(!bar->isVisibleTo(&window()));
 }
