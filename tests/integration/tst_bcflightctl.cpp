@@ -516,9 +516,9 @@ void TestBcflightCtl::textThatIsNotTakenIsTold()
 void TestBcflightCtl::droneThatIsLostByItsTextIsTold()
 {
     const SimProcess drone({u"--udp"_s, u"0"_s}, u"bcflight"_s);
-    Running write(
-        m_dir->path(),
-        {u"--link"_s, drone.address(), u"config"_s, u"write"_s, save(u"lost.lua"_s, "frame = nil\n")});
+    Running write(m_dir->path(),
+                  {u"--link"_s, drone.address(), u"config"_s, u"write"_s,
+                   save(u"lost.lua"_s, "frame = nil\n"), u"--confirmed"_s});
     const Run run = write.finish(3 * kPatience);  // it is waited for in vain, most of a minute
     QCOMPARE(run.exitCode, 1);
     QVERIFY2(run.err.contains(u"snapshot: "_s), qPrintable(run.err));
