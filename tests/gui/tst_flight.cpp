@@ -122,6 +122,7 @@ private slots:
     void sticksReachTheDrone();
     void horizonIsDrawnAsFound();
     void armedTheKeysAreForTheSticks();
+    void heldSpaceBarArms();
     void gamepadSteersAndItsLossDisarms();
     void spaceDisarmsWhereverTheKeyboardIs();
     void disarmStopsWhatSomebodyElseHasArmed();
@@ -720,6 +721,38 @@ void TestFlight::armedTheKeysAreForTheSticks()
              qPrintable(window().messageBar()->text()));
 }
 
+// Without a mouse, with a keyboard that repeats what is held.
+void TestFlight::heldSpaceBarArms()
+{
+    bool isArmed = false;
+    for (int attempt = 0; attempt < kAttempts && !isArmed; ++attempt) {
+        page().open(false);
+        QVERIFY(QTest::qWaitFor([&] { return page().stateText().contains(u"Ready"_s); }, kPatience));
+        page().armButton()->setFocus();
+        QTest::keyPress(page().armButton(), Qt::Key_Space);
+        QCOMPARE(page().session().phase(), Phase::Holding);
+        QElapsedTimer held;
+        held.start();
+        while (page().session().phase() != Phase::Armed && page().session().phase() != Phase::Open
+               && held.elapsed() < kPatience) {
+            for (const QEvent::Type type : {QEvent::KeyRelease, QEvent::KeyPress}) {
+                QKeyEvent repeated(type, Qt::Key_Space, Qt::NoModifier, u" "_s, true);
+                QApplication::sendEvent(QApplication::focusWidget(), &repeated);
+            }
+            QTest::qWait(20);
+        }
+        isArmed = page().session().phase() == Phase::Armed;
+        QTest::keyRelease(QApplication::focusWidget(), Qt::Key_Space);
+        if (!isArmed && page().session().ended() != ArmingBar::Hung)
+            break;
+    }
+    QVERIFY2(isArmed, qPrintable(page().stateText()));
+    QTRY_VERIFY_WITH_TIMEOUT(this->isArmed(), kPatience);
+    // Let go, it stays armed; pressed again, it is disarmed.
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+    QVERIFY(isSoon(m_rig->client().roles().armed, 0));
+}
+
 void TestFlight::gamepadSteersAndItsLossDisarms()
 {
     const int pad = m_pads.plug();
@@ -949,7 +982,8 @@ void TestFlight::stepIsMeasuredInAStand()
     for (const Qt::Key key : {Qt::Key_Up, Qt::Key_PageUp, Qt::Key_W}) {
         box->setFocus();
         QCOMPARE(QApplication::focusWidget(), box);
-        QTest::keyClick(box, key);
+        QTest::keyPress(box, key);
+        QTest::keyRelease(QApplication::focusWidget(), key);
         QCOMPARE(box->value(), before);
         QVERIFY2(!box->text().contains(u'w', Qt::CaseInsensitive), qPrintable(box->text()));
     }
