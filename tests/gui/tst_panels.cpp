@@ -51,7 +51,7 @@ struct PanelSite
     bool storm = false;  // only on such a board
 };
 constexpr PanelSite kSites[]{
-    {"review", "app/mainwindow/mainwindow.cpp review"},
+    {"review", "app/mainwindow/shortcuts.cpp review"},
     {"palette", "app/mainwindow/shortcuts.cpp showPalette"},
     {"unsaved", "app/mainwindow/leaving.cpp askAboutEdits"},
     {"unstored", "app/mainwindow/leaving.cpp askAboutValues"},
