@@ -21874,6 +21874,14 @@ Spitze %2°</translation>
         <source>What the board keeps is replaced by what is in the copy</source>
         <translation>Was das Board behält, wird durch den Inhalt der Kopie ersetzt</translation>
     </message>
+    <message>
+        <source>set in the drone&apos;s text, and no more in this one: %1. Without what it needs the drone does not start, or is never heard again</source>
+        <translation>im Text der Drohne gesetzt und in diesem nicht mehr: %1. Ohne das, was sie braucht, startet die Drohne nicht, oder man hört nie wieder von ihr</translation>
+    </message>
+    <message>
+        <source>ports change from %1 to %2: the drone may not be heard at its present address any more</source>
+        <translation>die Ports ändern sich von %1 zu %2: Die Drohne ist an ihrer jetzigen Adresse vielleicht nicht mehr zu hören</translation>
+    </message>
 </context>
 <context>
     <name>ThinningText</name>

@@ -260,14 +260,14 @@ void doubtLosses(const QByteArray &text, const QByteArray &before, Doubts &doubt
 {
     QStringList lost = (setIn(before, true) - setIn(text, false)).values();
     lost.sort();
-    for (const QString &name : lost)
-        doubts.push_back(
-            {0,
-             0,
-             QT_TRANSLATE_NOOP("Tables",
-                               "%1 is set in the drone's text, and no more in this one: without what it "
-                               "needs the drone does not start, or is never heard again"),
-             {name}});
+    if (!lost.isEmpty())
+        doubts.push_back({0,
+                          0,
+                          QT_TRANSLATE_NOOP("Tables",
+                                            "set in the drone's text, and no more in this one: %1. "
+                                            "Without what it needs the drone does not start, or is "
+                                            "never heard again"),
+                          {lost.join(u", "_s)}});
     const QStringList now = portsIn(before);
     const QStringList next = portsIn(text);
     if (lost.isEmpty() && !now.isEmpty() && now != next)

@@ -416,7 +416,8 @@ void TestBcflightCtl::textIsReadComparedAndWritten()
     // Valid, and the end of the drone.
     const Run cut = ctl(link + QStringList{u"config"_s, u"write"_s, save(u"cut.lua"_s, "x = 1\n")});
     QVERIFY(cut.exitCode != 0);
-    QVERIFY2(cut.err.contains(u"controller is set in the drone's text"_s), qPrintable(cut.err));
+    QVERIFY2(cut.err.contains(u"no more in this one: PID.dscale, PID.iscale, PID.pscale, controller"_s),
+             qPrintable(cut.err));
     QVERIFY2(cut.err.contains(u"--confirmed"_s), qPrintable(cut.err));
     QCOMPARE(ctl(link + QStringList{u"config"_s, u"read"_s, u"-"_s}).out.toUtf8(), text);
 
