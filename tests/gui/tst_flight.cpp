@@ -726,7 +726,7 @@ void TestFlight::heldSpaceBarArms()
 {
     bool isArmed = false;
     for (int attempt = 0; attempt < kAttempts && !isArmed; ++attempt) {
-        page().open(false);
+        page().open(true);
         QVERIFY(QTest::qWaitFor([&] { return page().stateText().contains(u"Ready"_s); }, kPatience));
         page().armButton()->setFocus();
         QTest::keyPress(page().armButton(), Qt::Key_Space);
