@@ -448,9 +448,9 @@ void TestBcflightWindow::exchangedDroneIsAskedAbout()
     keepDirections(m_rig->workspace(), all);
     QCOMPARE(checkedDirections(m_rig->workspace()), all);
     drone.reset();
+    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Reconnecting, kPatience);
     drone = std::make_unique<SimProcess>(QStringList{u"--udp"_s, address.section(u':', -1)}, u"bcflight"_s);
     QCOMPARE(drone->address(), address);
-    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Reconnecting, kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && isRead(), kPatience);
     QVERIFY(!m_rig->workspace().naming().isCertain());
     QCOMPARE(checkedDirections(m_rig->workspace()).level, CheckedDirections::Level::Nothing);
