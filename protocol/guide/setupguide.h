@@ -102,8 +102,11 @@ private:
     static void addHeld(const Held &is, const Held *before, SetupResult &result);
     Result<SetupResult> measureGains();
     /// @param board what it holds, and holds afterwards @return whether an axis got its gains back
-    Result<bool> restoreWorse(const Configuration &base, Configuration &board, const Held &before,
-                              const Held &after);
+    [[nodiscard]] static Result<Configuration> withoutWorse(const Configuration &base,
+                                                            const Configuration &board, const Held &before,
+                                                            const Held &after);
+    Result<void> restoreAxes(const Configuration &base, const Configuration &board,
+                             const Configuration &edited);
     /// After the board has searched them: those that hold the camera worse are taken back.
     Result<SetupResult> judgeGains(const Configuration &base, const Held &before);
     Result<SetupResult> vibration(const QVariantMap &answers);

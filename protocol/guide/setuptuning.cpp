@@ -203,9 +203,9 @@ Result<SetupResult> SetupGuide::gains(const QVariantMap &answers)
     return judged;
 }
 
-// An axis that the search has made worse gets its own gains back; the others keep theirs.
-Result<bool> SetupGuide::restoreWorse(const Configuration &base, Configuration &board, const Held &before,
-                                      const Held &after)
+// An axis that the search has made worse has its own gains again; the others keep theirs.
+Result<Configuration> SetupGuide::withoutWorse(const Configuration &base, const Configuration &board,
+                                               const Held &before, const Held &after)
 {
     Configuration edited = board;
     for (const ParameterChange &change : base.changesTo(board)) {
@@ -215,8 +215,12 @@ Result<bool> SetupGuide::restoreWorse(const Configuration &base, Configuration &
         if (const auto set = edited.setRaw(*change.spec, change.profile, change.from); !set)
             return tl::unexpected(set.error());
     }
-    if (board.changesTo(edited).empty())
-        return false;
+    return edited;
+}
+
+Result<void> SetupGuide::restoreAxes(const Configuration &base, const Configuration &board,
+                                     const Configuration &edited)
+{
     if (const auto kept = keepTrial(m_history, base, board, &edited); !kept)
         return tl::unexpected(kept.error());
     const Unbroken unbroken(m_channel);
@@ -224,10 +228,7 @@ Result<bool> SetupGuide::restoreWorse(const Configuration &base, Configuration &
                                            {.history = &m_history, .backupDone = true, .live = m_live});
     if (!report)
         return tl::unexpected(report.error());
-    if (report->error)
-        return tl::unexpected(*report->error);
-    board = edited;
-    return true;
+    return report->error ? Result<void>(tl::unexpected(*report->error)) : Result<void>();
 }
 
 Result<SetupResult> SetupGuide::judgeGains(const Configuration &base, const Held &before)
@@ -243,11 +244,14 @@ Result<SetupResult> SetupGuide::judgeGains(const Configuration &base, const Held
     if (!after)
         return tl::unexpected(after.error());
     SetupResult result;
-    const bool isWholeWorse = wholeOf(after->off) > kWorse * wholeOf(before.off);
-    const auto restored = isWholeWorse ? Result<bool>(false) : restoreWorse(base, *now, before, *after);
-    if (!restored)
-        return tl::unexpected(restored.error());
-    if (*restored) {
+    const auto edited = withoutWorse(base, *now, before, *after);
+    if (!edited)
+        return tl::unexpected(edited.error());
+    const bool hasBetter = base.changesTo(*now).empty() || !base.changesTo(*edited).empty();
+    if (hasBetter && !now->changesTo(*edited).empty()) {
+        if (const auto restored = restoreAxes(base, *now, *edited); !restored)
+            return tl::unexpected(restored.error());
+        now = edited;
         result.remarks.append(u"gains.axisback"_s);
         after = measureHeld();
         if (!after)
@@ -257,7 +261,7 @@ Result<SetupResult> SetupGuide::judgeGains(const Configuration &base, const Held
     addHeld(*after, &before, result);
     const double was = wholeOf(before.off);
     const double is = wholeOf(after->off);
-    if (is <= kWorse * was) {
+    if (hasBetter && is <= kWorse * was) {
         result.remarks.prepend(is < kBetter * was ? u"gains.better"_s : u"gains.same"_s);
         // What holds well may ring.
         if (const auto lines = linesOf(after->span, result); !lines)
