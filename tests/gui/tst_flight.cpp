@@ -731,16 +731,14 @@ void TestFlight::heldSpaceBarArms()
         page().armButton()->setFocus();
         QTest::keyPress(page().armButton(), Qt::Key_Space);
         QCOMPARE(page().session().phase(), Phase::Holding);
-        QElapsedTimer held;
-        held.start();
-        while (page().session().phase() != Phase::Armed && page().session().phase() != Phase::Open
-               && held.elapsed() < kPatience) {
+        const auto isDecidedAfterRepeating = [this] {
             for (const QEvent::Type type : {QEvent::KeyRelease, QEvent::KeyPress}) {
                 QKeyEvent repeated(type, Qt::Key_Space, Qt::NoModifier, u" "_s, true);
                 QApplication::sendEvent(QApplication::focusWidget(), &repeated);
             }
-            QTest::qWait(20);
-        }
+            return page().session().phase() == Phase::Armed || page().session().phase() == Phase::Open;
+        };
+        std::ignore = QTest::qWaitFor(isDecidedAfterRepeating, kPatience);
         isArmed = page().session().phase() == Phase::Armed;
         QTest::keyRelease(QApplication::focusWidget(), Qt::Key_Space);
         if (!isArmed && page().session().ended() != ArmingBar::Hung)
