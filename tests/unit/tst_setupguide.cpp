@@ -40,6 +40,7 @@ private slots:
     void gainsAreMeasuredWithoutASearch();
     void theResponseIsThatOfTheGains();
     void worseGainsAreTakenBack();
+    void aWorseAxisGetsItsGainsBack();
     void aNotchIsKeptWhereItHelps();
     void motorsThatAreOffAreNoMeasurement();
     void allLimitsAreSet_data();
@@ -564,6 +565,37 @@ void TestSetupGuide::worseGainsAreTakenBack()
     QCOMPARE(bench.stored(u"pid.pitch.p"_s), before);
     QCOMPARE(bench.board.board().inUse(u"pid.pitch.p"_s), before);
     QVERIFY(!bench.record.result(SetupStep::Gains).isOver());
+}
+
+// An axis was better than the search makes it: it alone has its own gains again, stored and in use.
+void TestSetupGuide::aWorseAxisGetsItsGainsBack()
+{
+    SetupBench bench(false);
+    bench.board.board().store(u"pid.roll.p"_s, 0, 198);
+    bench.board.board().store(u"pid.roll.i"_s, 0, 32);
+    bench.board.board().store(u"pid.roll.d"_s, 0, 148);
+    QVERIFY(bench.board.channel.sleep(6s));
+    const auto gains = [&bench](Axis axis) {
+        QList<int> all;
+        for (const QString &part : {u"p"_s, u"i"_s, u"d"_s}) {
+            const QString key = u"pid.%1.%2"_s.arg(QLatin1String(axisKey(axis)), part);
+            all += {bench.stored(key), bench.board.board().inUse(key)};
+        }
+        return all;
+    };
+    const std::array before{gains(Axis::Roll), gains(Axis::Pitch), gains(Axis::Yaw)};
+    const auto result = bench.run("gains");
+    QVERIFY2(result && result->remarks.contains(u"gains.axisback"_s), qPrintable(why(result)));
+    int restored = 0;
+    for (const Axis axis : kAxes) {
+        const QString pid = u"pid."_s + QLatin1String(axisKey(axis));
+        const bool isTold = std::ranges::any_of(
+            result->changes, [&pid](const SetupChange &change) { return change.key.startsWith(pid); });
+        QCOMPARE(gains(axis) != before[std::size_t(axis)], isTold);
+        restored += isTold ? 0 : 1;
+    }
+    QVERIFY(restored > 0 && restored < int(kAxisCount));
+    QVERIFY(!keptTrial(bench.history, bench.board.device.identity()));
 }
 
 // A structure that rings with the gains it has: a notch is tried, kept, and in use.

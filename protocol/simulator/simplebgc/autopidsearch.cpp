@@ -116,6 +116,8 @@ void AutoPidSearch::decide(std::size_t axis)
             break;
         }
         // Stop when it rings, or when more P makes the error clearly larger because of overshoot.
+        if (!rings && isInDoubt(state, result.trackingError >= state.best * 1.15))
+            break;
         if (!rings && result.p < kMaxPForD * result.d && result.trackingError < state.best * 1.15) {
             state.best = std::min(state.best, result.trackingError);
             result.p = grown(result.p, 1.3);
@@ -127,6 +129,8 @@ void AutoPidSearch::decide(std::size_t axis)
         state.best = result.trackingError * 1.2;
         break;
     case Phase::RaiseI:
+        if (!rings && isInDoubt(state, result.trackingError >= state.best))
+            break;
         if (!rings && result.i < result.p / 2 && result.trackingError < state.best) {
             state.best = result.trackingError;
             result.i = grown(result.i, 1.4);
@@ -137,6 +141,13 @@ void AutoPidSearch::decide(std::size_t axis)
         break;
     case Phase::Done: break;
     }
+}
+
+// One movement of the hand is no overshoot: what is worse is measured twice.
+bool AutoPidSearch::isInDoubt(AxisState &state, bool isWorse)
+{
+    state.isDoubted = isWorse && !state.isDoubted;
+    return state.isDoubted;
 }
 
 bool AutoPidSearch::isFinished() const

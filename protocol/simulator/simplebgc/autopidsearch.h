@@ -44,8 +44,10 @@ private:
         int samples = 0;
         double best = 0;
         double baseline = 0;  // ringing of the first, soft gains
+        bool isDoubted = false;
     };
     void decide(std::size_t axis);
+    static bool isInDoubt(AxisState &state, bool isWorse);
 
     std::array<bool, kAxisCount> m_selected;
     std::array<AxisResult, kAxisCount> m_results;
