@@ -136,7 +136,7 @@ bool Actions::isBlind(const Frame &status)
 
 Result<void> Actions::needSensor()
 {
-    const auto status = m_channel.transact(Device::statusRequest());
+    const auto status = m_channel.transact(m_device.statusRequest());
     if (!status)
         return tl::unexpected(status.error());
     if (isBlind(*status))
@@ -153,7 +153,7 @@ Result<ActionReply> Actions::readAngles(const QVariantMap &)
     const auto angles = decodeAngles(asBytes(plain->payload));
     if (!angles)
         return tl::unexpected(angles.error());
-    const auto status = m_channel.transact(Device::statusRequest());
+    const auto status = m_channel.transact(m_device.statusRequest());
     if (!status)
         return tl::unexpected(status.error());
     const bool blind = isBlind(*status);
@@ -229,7 +229,7 @@ Result<ActionReply> Actions::motorsOff(const QVariantMap &)
 Result<ActionReply> Actions::motorsAre(bool on)
 {
     const auto are
-        = holdsWithin(m_channel, Device::statusRequest(), kMotorsSwitch, [on](const Frame &status) {
+        = holdsWithin(m_channel, m_device.statusRequest(), kMotorsSwitch, [on](const Frame &status) {
               return Device::areMotorsRunning(status).value_or(!on) == on;
           });
     if (!are)
@@ -251,7 +251,7 @@ Result<ActionReply> Actions::menu(const QVariantMap &arguments)
     if (command == kMenuMotorsOn || command == kMenuMotorsOff)
         motors = command == kMenuMotorsOn;
     if (command == kMenuMotorsSwitch) {
-        const auto status = m_channel.transact(Device::statusRequest());
+        const auto status = m_channel.transact(m_device.statusRequest());
         if (!status)
             return tl::unexpected(status.error());
         if (const auto running = Device::areMotorsRunning(*status))
@@ -315,7 +315,7 @@ Result<ActionReply> Actions::steer(const QVariantMap &arguments)
             ErrorCode::InvalidArgument,
             u"firmware before 2.55b5 steers all axes at once and cannot leave one alone: name roll, "
             "pitch and yaw"_s);
-    const auto status = m_channel.transact(Device::statusRequest());
+    const auto status = m_channel.transact(m_device.statusRequest());
     if (!status)
         return tl::unexpected(status.error());
     if (!Device::areMotorsRunning(*status).value_or(true))

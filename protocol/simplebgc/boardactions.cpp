@@ -43,7 +43,7 @@ Result<ActionReply> Actions::selectImu(const QVariantMap &arguments)
         return reply;
     // A board without that sensor ignores it (document SELECT_IMU_3).
     const auto isUsed = holdsWithin(
-        m_channel, Device::statusRequest(), kSwitched, [wanted](const Frame &status) {
+        m_channel, m_device.statusRequest(), kSwitched, [wanted](const Frame &status) {
             return status.payload.size() > kUsedImuOffset && quint8(status.payload[kUsedImuOffset]) == wanted;
         });
     if (!isUsed)

@@ -208,8 +208,7 @@ Result<Actions::Stillness> Actions::measureStillness()
     std::array<double, 6> first{};
     bool isFrozen = true;
     for (int sample = 0; sample < kStillnessSamples; ++sample) {
-        const auto frame = m_channel.transact(replyRequest(
-            CommandId::RealtimeData3, {}, CommandId::RealtimeData3, kRealtime3Size, Device::kVersion));
+        const auto frame = m_channel.transact(m_device.statusRequest());
         if (!frame)
             return tl::unexpected(frame.error());
         if (isBlind(*frame))
@@ -265,7 +264,7 @@ Result<ActionReply> Actions::calibrateBattery(const QVariantMap &arguments)
         return confirmed;
     double measured = std::numeric_limits<double>::quiet_NaN();
     const auto isTaken
-        = holdsWithin(m_channel, Device::statusRequest(), kVoltageTaken, [&](const Frame &status) {
+        = holdsWithin(m_channel, m_device.statusRequest(), kVoltageTaken, [&](const Frame &status) {
               ByteReader reader(status.payload);
               reader.skip(kVoltageOffset);
               measured = reader.u16() * 0.01;

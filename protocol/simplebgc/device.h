@@ -107,7 +107,7 @@ public:
     /// Which profile, from 0, an entry of the board's menu makes the active one; -1 = none.
     [[nodiscard]] static int profileOf(int menuCommand);
     /// Asks for REALTIME_DATA_3.
-    [[nodiscard]] static Request statusRequest();
+    [[nodiscard]] Request statusRequest() const;
     /// What the answer to it says; nothing for another frame.
     [[nodiscard]] static std::optional<bool> areMotorsRunning(const Frame &frame);
 
@@ -164,6 +164,10 @@ private:
     [[nodiscard]] static std::vector<Request> adjustableRequests(const std::vector<AdjustableValue> &values);
     Result<void> sendAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) const;
     Result<QByteArray> askBlock(Channel &channel, BlockKey key, int retries);
+    [[nodiscard]] Result<bool> isOfTheFirst(Channel &channel) const;
+    Result<void> addProfileNames(Channel &channel, Configuration &configuration);
+    [[nodiscard]] CommandId readCommand(int block) const;
+    [[nodiscard]] CommandId writeCommand(int block) const;
     Result<void> checkIdentity(Channel &channel) const;
     [[nodiscard]] static Error otherIdentity(const BoardInfo &now, const QString &model,
                                              const QString &firmware);
@@ -179,6 +183,7 @@ private:
     Result<void> setStream(Channel &channel, const DataStream &stream);
 
     static constexpr int kVersion = 1;  // frame version: never mixed on one connection (errata 1.3)
+    bool m_isFirst = false;  // it knows only the first boards' commands
     std::optional<BoardInfo> m_probed;  // what it said before it was identified
     BoardIdentity m_identity;
     std::shared_ptr<const ParameterSet> m_parameters;

@@ -86,7 +86,8 @@ void SimulatedBoard::loadDefaults(int profile)
     // The simulated sensor is calibrated on command, not at every start.
     if (const ParameterSpec *skip = spec(u"imu.skip_gyro_calibration"_s))
         skip->write(blocks[Params3], 1);
-    spec(u"imu.frame.position"_s)->write(blocks[Params3], kAboveYaw);
+    if (isFitted("frame-imu"))
+        spec(u"imu.frame.position"_s)->write(blocks[Params3], kAboveYaw);
 }
 
 // As it comes out of its box: motors that nobody has told of, one of them the wrong way round, a sensor that
@@ -150,6 +151,9 @@ void SimulatedBoard::boot()
     m_modes = {};
     m_signals = {};
     m_script = {};
+    m_isWriteSet = false;
+    m_writtenProfile.reset();
+    m_menuVersion = 0;
     m_motorCalibration = {};
     m_bootLoaderAt = -1;
     m_frameToldUntil = -1;
@@ -314,6 +318,7 @@ void SimulatedBoard::cycle()
     updateSensors();
     updateCalibration();
     tellChanges();
+    updateMenu();
     // For the first half second a calibration blocks everything else (errata 7).
     const double lateStreams = m_options.faults.lateStreams;
     const bool silent = m_calibration.left > 0

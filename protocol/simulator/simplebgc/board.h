@@ -38,7 +38,6 @@ inline constexpr int kFcRollPin = 3;  ///< as signal sources count them (errata 
 inline constexpr int kFcPitchPin = 4;
 inline constexpr int kMainImu = 1;
 inline constexpr int kFrameImu = 2;  ///< of SELECT_IMU_3 and calibrations
-inline constexpr int kSafeStop = 2;  ///< of MOTORS_OFF
 inline constexpr int kMiddleStability = 128;  ///< of AUTO_PID, where nobody tells it
 inline constexpr auto kEventMessage = CommandId(102);
 inline constexpr double kResetNotice = 1.0;  ///< document CMD_RESET: 1000 ms between notice and restart
@@ -109,6 +108,8 @@ private:
     [[nodiscard]] std::optional<double> rcInput(const QString &name) const;
     [[nodiscard]] std::optional<double> rcTarget(Axis axis);
     [[nodiscard]] QByteArray slotState(const Frame &frame) const;
+    [[nodiscard]] QByteArray rcData() const;
+    [[nodiscard]] QByteArray rcChannels() const;
     [[nodiscard]] QByteArray rcInputs(const Frame &frame);
     // menu commands and what they switch (menu.cpp); each tells the code with which it is refused, 0 = done
     struct MenuEntry;
@@ -116,6 +117,8 @@ private:
     enum Event { MenuButtonEvent = 1, MotorEvent, EmergencyEvent, CameraEvent, ScriptEvent, RetractedEvent };
     enum EventType { EventOff = 1, EventOn = 2 };
     [[nodiscard]] static std::span<const MenuEntry> menuEntries();
+    void menu(const Frame &frame);
+    void updateMenu();
     int runMenu(int action);
     int doNothing(int argument);
     int useProfile(int profile);
@@ -231,6 +234,15 @@ private:
     void startAutoPid(int flags, int gainVsStability);
     void updateAutoPid();
 
+    // commands that have grown (generations.cpp)
+    bool handleGrown(const Frame &frame);
+    void tellVariables(const Frame &frame);
+    void tellValues(const Frame &frame);
+    void saveVariables(const Frame &frame);
+    void useDefaults(const Frame &frame);
+    void bracketWrites(const Frame &frame);
+    void motorsOff(const Frame &frame);
+
     // commands (commands.cpp)
     void handle(const Frame &frame);
     bool handleRead(const Frame &frame);
@@ -242,7 +254,6 @@ private:
     void getAdjVars(const Frame &frame);
     void registerStream(const Frame &frame);
     void control(const Frame &frame);
-    void menu(const Frame &frame);
     void startCalibration(const Frame &frame);
     void beginCalibration(CommandId command, int imu, int action, int version);
     void reply(const Frame &to, CommandId id, const QByteArray &payload);
@@ -425,6 +436,9 @@ private:
     };
     MagCalibration m_magCalibration;
     int m_mount = 0;
+    bool m_isWriteSet = false;  // between the two WRITE_PARAMS_SET
+    std::optional<int> m_writtenProfile;  // to be loaded at its end
+    int m_menuVersion = 0;  // of the command whose end is told; 0: none
     int m_writesSeen = 0;
     int m_resetOnWrite = 0;  ///< of which write they are counted
     bool m_otherClientDone = false;

@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kMenuFlagsSince = 2738;  // of EXECUTE_MENU
 constexpr int kMenuConfirms = 1;
+constexpr int kMenuConfirmsEnd = 2;
 constexpr int kButtonPressed = 22;
 constexpr int kFrameInverted = 1 << 13;  // of board.flags1
 constexpr double kSafeStopTime = 2.0;  // seconds
@@ -85,15 +86,27 @@ std::span<const SimulatedBoard::MenuEntry> SimulatedBoard::menuEntries()
     return kEntries;
 }
 
+// Without flags it is confirmed, with flags as they say.
 void SimulatedBoard::menu(const Frame &frame)
 {
     const bool hasFlags = m_options.firmware >= kMenuFlagsSince && frame.payload.size() == 2;
     if (!hasFlags && !hasSize(frame, 1))
         return;
-    if (const int refusal = runMenu(quint8(frame.payload[0])))
+    const int flags = hasFlags ? quint8(frame.payload[1]) : kMenuConfirms;
+    if (const int refusal = runMenu(quint8(frame.payload[0]))) {
         refuse(frame, refusal);
-    else if (!hasFlags || quint8(frame.payload[1]) & kMenuConfirms)
+        return;
+    }
+    if (flags & kMenuConfirms)
         confirm(frame);
+    if (flags & kMenuConfirmsEnd)
+        m_menuVersion = frame.version;
+}
+
+void SimulatedBoard::updateMenu()
+{
+    if (m_menuVersion != 0 && !isBusy())
+        sendEnd(CommandId::ExecuteMenu, std::exchange(m_menuVersion, 0), 0);
 }
 
 int SimulatedBoard::runMenu(int action)

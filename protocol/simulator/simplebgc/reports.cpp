@@ -164,13 +164,11 @@ QByteArray SimulatedBoard::realtimeCustom(quint32 flags) const
     if (flags & 16)
         each([&](Axis axis) { return toCount16(s.gyro(axis), kGyroUnit); });
     if (flags & 32)
-        writer.zeros(12);
+        writer.bytes(rcData());
     if (flags & 64)
         writer.bytes(attitudeVectors());
-    if (flags & 128) {
-        for (int i = 0; i < 18; ++i)
-            writer.i16(-32768);  // no receiver
-    }
+    if (flags & 128)
+        writer.bytes(rcChannels());
     if (flags & 256) {
         for (std::size_t i = 0; i < kAxisCount; ++i)
             writer.i16(toCount16(ownAcc(i), kAccUnit));
