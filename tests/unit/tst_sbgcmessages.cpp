@@ -5,7 +5,6 @@
 #include "protocol/simplebgc/messages.h"
 #include "tests/unit/sbgcvectors.h"
 
-#include <QFile>
 #include <QTest>
 
 #include <cmath>
@@ -47,22 +46,6 @@ QStringList wordsOf(Fields fields, const QByteArray &payload)
     return words;
 }
 
-// One row of the table in CONTRIBUTING.md.
-QString rowOf(const MessageSpec &message)
-{
-    const QString ways = message.toBoard && message.fromBoard ? u"both"_s
-        : message.toBoard                                     ? u"to the board"_s
-        : message.fromBoard                                   ? u"from the board"_s
-                                                              : u"?"_s;
-    const QString state = !message.isPublic ? u"raw: no public layout"_s
-        : *message.where                    ? u"in use"_s
-                                            : u"by hand"_s;
-    const QString where = *message.where ? QString::fromLatin1(message.where) : u"Console"_s;
-    return u"| %1 | %2 | %3 | %4 | %5 | %6 |"_s.arg(message.id)
-        .arg(QLatin1String(message.name), ways,
-             message.since == 0 ? QString() : QString::number(message.since), state, where);
-}
-
 }  // namespace
 
 class TestSbgcMessages : public QObject
@@ -77,7 +60,6 @@ private slots:
     void whatIsWrongIsSaid_data();
     void whatIsWrongIsSaid();
     void framesAreWorded();
-    void tableIsInTheHandbook();
 };
 
 void TestSbgcMessages::numbersAreInOrder()
@@ -267,31 +249,6 @@ void TestSbgcMessages::framesAreWorded()
             QVERIFY2(!text.name.isEmpty(), vector.name);
         }
     }
-}
-
-// GIMBAL_WRITE_TABLES=1 writes it.
-void TestSbgcMessages::tableIsInTheHandbook()
-{
-    QStringList rows{u"| Number | Command | Way | Since | State | Where |"_s, u"|---|---|---|---|---|---|"_s};
-    for (const MessageSpec &message : messages())
-        rows.append(rowOf(message));
-    const QString begin = u"<!-- commands of SimpleBGC -->\n"_s;
-    const QString end = u"\n<!-- end of commands -->"_s;
-    QFile file(QStringLiteral(GIMBAL_SOURCE_DIR "/CONTRIBUTING.md"));
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    QString text = QString::fromUtf8(file.readAll());
-    file.close();
-    const qsizetype from = text.indexOf(begin) + begin.size();
-    const qsizetype to = text.indexOf(end);
-    QVERIFY(from >= begin.size() && to >= from);
-    const QString wanted = rows.join(u'\n');
-    if (qEnvironmentVariableIsSet("GIMBAL_WRITE_TABLES")) {
-        text.replace(from, to - from, wanted);
-        QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
-        file.write(text.toUtf8());
-        return;
-    }
-    QCOMPARE(text.mid(from, to - from), wanted);
 }
 
 QTEST_GUILESS_MAIN(TestSbgcMessages)

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which test carries out a message of SimpleBGC that is in use, for the table in CONTRIBUTING.md.
+#pragma once
+
+struct SbgcProof
+{
+    int id;
+    const char *test;
+    const char *function;  // it, or its data, names the message, its block or its action
+};
+
+// clang-format off
+inline constexpr SbgcProof kSbgcProofs[] = {
+    {20, "tst_sbgcactions", "scriptsRun"},
+    {21, "tst_sbgcgenerations", "blocksComeBackAsWritten"},
+    {22, "tst_sbgcgenerations", "blocksComeBackAsWritten"},
+    {23, "tst_sbgcgenerations", "frameAnglesNeedASensor"},
+    {24, "tst_sbgcactions", "sensorThatIsNotThereIsNotSelected"},
+    {25, "tst_inspect", "laterRealtimeIsToldInWords"},
+    {26, "tst_sbgcsensors", "failureIsTold"},
+    {27, "tst_sbgcsensors", "motorThatDoesNotTurnHasNoField"},
+    {28, "tst_write", "missingNamesAreNotWritten"},
+    {29, "tst_aftermath", "failedRenameIsToldTruly"},
+    {31, "tst_sbgcgenerations", "onlyListedVariablesAreSaved"},
+    {32, "tst_sbgcgenerations", "onlyListedVariablesAreSaved"},
+    {33, "tst_sbgcgenerations", "blocksComeBackAsWritten"},
+    {34, "tst_sbgcgenerations", "blocksComeBackAsWritten"},
+    {35, "tst_sbgcdevice", "motorsOffStopsEvenATuningBoard"},
+    {36, "tst_sbgcactions", "pinsAreSetWhereTheyAreOutputs"},
+    {39, "tst_sbgcexpert", "memoryIsNotWrittenByTheBus"},
+    {40, "tst_sbgcexpert", "registersAreReadAndWritten"},
+    {41, "tst_sbgcactions", "externalDataComeBack"},
+    {42, "tst_sbgcactions", "externalDataComeBack"},
+    {43, "tst_sbgcgenerations", "blocksComeBackAsWritten"},
+    {44, "tst_sbgcgenerations", "blocksComeBackAsWritten"},
+    {45, "tst_sbgcexpert", "cancelledSignalIsTakenBack"},
+    {46, "tst_sbgcexpert", "slotsTellTheirSignals"},
+    {47, "tst_sbgcexpert", "memoryIsNotWrittenByTheBus"},
+    {48, "tst_sbgcactions", "memoryIsComparedInWords"},
+    {49, "tst_sbgcwholeboard", "calibrationsComeBack"},
+    {51, "tst_sbgcexpert", "boardThatGoesOnIsNoBootLoader"},
+    {53, "tst_sbgcactions", "filesComeBack"},
+    {54, "tst_sbgcactions", "filesComeBack"},
+    {55, "tst_sbgcwholeboard", "filesAreErasedAfterACopy"},
+    {56, "tst_sbgcexpert", "attitudeIsReplaced"},
+    {57, "tst_sbgcactions", "scriptsRun"},
+    {59, "tst_sbgcsensors", "magnetometerIsCalibrated"},
+    {61, "tst_sbgcdevice", "aMissingSensorHasNoAngles"},
+    {62, "tst_sbgcgenerations", "blocksComeBackAsWritten"},
+    {63, "tst_sbgcgenerations", "blocksComeBackAsWritten"},
+    {64, "tst_sbgccalibration", "searchThatChangedNothingIsNoSuccess"},
+    {65, "tst_sbgccalibration", "turnedSensorIsRefusedWhileMotorsRun"},
+    {66, "tst_inspite", "motorsAreToldAfterACalibration"},
+    {67, "tst_inspect", "framesInWords"},
+    {68, "tst_sbgcgenerations", "firstBoardsAreReadAndWritten"},
+    {69, "tst_sbgcgenerations", "theEndOfAMenuCommandIsTold"},
+    {70, "tst_sbgcgenerations", "activeProfileGetsDefaults"},
+    {71, "tst_sbgcsensors", "stillFrameShowsNoGain"},
+    {72, "tst_sbgcexpert", "refusalEndsTheFeed"},
+    {73, "tst_sbgcdevice", "aMissingSensorHasNoAngles"},
+    {74, "tst_sbgcactions", "magneticLinkIsMeasured"},
+    {75, "tst_sbgcexpert", "filesAreCheckedFirst"},
+    {77, "tst_sbgcgenerations", "commandsAreTakenAsTheFirmwareKnowsThem"},
+    {79, "tst_sbgcgenerations", "commandsAreTakenAsTheFirmwareKnowsThem"},
+    {80, "tst_sbgcactions", "calibrationThatIsRefusedIsTold"},
+    {82, "tst_sbgcgenerations", "firstBoardsAreReadAndWritten"},
+    {84, "tst_sbgcactions", "pinsAreSetWhereTheyAreOutputs"},
+    {85, "tst_sbgcstreams", "whatCannotBeStoppedIsTold"},
+    {86, "tst_sbgcfirmware", "specialBuildIsTold"},
+    {87, "tst_sbgcgenerations", "firstBoardsAreReadAndWritten"},
+    {88, "tst_sbgcgenerations", "inputsAreTold"},
+    {89, "tst_sbgcfirmware", "whatAStepBringsIsNamed"},
+    {95, "tst_sbgcactions", "profileSetsKeepProfiles"},
+    {100, "tst_sbgcexpert", "cancelledSignalIsTakenBack"},
+    {103, "tst_sbgccalibration", "startHeardTwiceIsNoEnd"},
+    {104, "tst_sbgcgenerations", "blocksComeBackAsWritten"},
+    {105, "tst_sbgcgenerations", "blocksComeBackAsWritten"},
+    {109, "tst_sbgcgenerations", "commandsAreTakenAsTheFirmwareKnowsThem"},
+    {111, "tst_sbgcactions", "statisticsAreRead"},
+    {114, "tst_sbgcdevice", "resetIsAnnounced"},
+    {119, "tst_sbgcgenerations", "aSetOfWritesIsOneChange"},
+    {253, "tst_sbgcgenerations", "commandsAreTakenAsTheFirmwareKnowsThem"},
+    {254, "tst_sbgcgenerations", "masksChooseVariables"},
+};
+// clang-format on
