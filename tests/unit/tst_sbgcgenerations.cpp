@@ -101,7 +101,7 @@ void TestSbgcGenerations::commandsAreTakenAsTheFirmwareKnowsThem_data()
     row("variables from an index, too early", 2719, CommandId::DebugVarsInfo3, "0801",
         {refused(CommandId::DebugVarsInfo3, 1)});
     row("variables from an index", 2720, CommandId::DebugVarsInfo3, "08",
-        {u"253 090d"_s + QLatin1String(QByteArray("YAW_UNWRAPPED").toHex()) + u"360100"_s});
+        {u"253 0a08"_s + QLatin1String(QByteArray("SERVO_US").toHex()) + u"040400"_s});
 }
 
 void TestSbgcGenerations::commandsAreTakenAsTheFirmwareKnowsThem()
@@ -217,7 +217,7 @@ void TestSbgcGenerations::masksChooseVariables()
     QCOMPARE(answers(older, CommandId::DebugVars3, "40000000"),
              QStringList{refused(CommandId::DebugVars3, 1)});
     const QString all = answers(older, CommandId::DebugVars3, "").value(0);
-    QCOMPARE(all.section(u' ', 1).size() / 2, 3 * 2 + 3 * 4 + 1 + 1 + 2 + 4 + 4);
+    QCOMPARE(all.section(u' ', 1).size() / 2, 3 * 2 + 3 * 4 + 1 + 1 + 2 + 4 + 4 + 4 * 2);
     simplebgc::SimulatedBoard board(withFirmware(2720));
     // Variable 6 is a u16 that says how long a cycle takes: 800 microseconds.
     QCOMPARE(answers(board, CommandId::DebugVars3, "40000000"), QStringList{u"254 400000002003"_s});

@@ -19,7 +19,6 @@ constexpr double kLatency = 0.0015;  // seconds from command to the first byte o
 constexpr double kWriteLatency = 0.030;  // EEPROM write (errata 7: tens of ms)
 constexpr double kCalibrationTime = 4.0;
 constexpr int kStreamsFrom = 2590;  // firmware
-constexpr int kEventsSince = 2657;
 constexpr qsizetype kStreamSpace = 512;  // with more than this in the output buffer, streams are skipped
 constexpr int kMaxStreams = 10;
 constexpr int kUnknownFirmware = 9990;
@@ -73,7 +72,8 @@ void SimulatedBoard::handle(const Frame &frame)
     const bool isKnown = !isFitted("legacy") || (frame.id >= 'A' && frame.id <= 'z');
     if (isKnown
         && (handleRead(frame) || handleWrite(frame) || handleAction(frame) || handleGrown(frame)
-            || handleMemory(frame) || handleMotors(frame) || handleExpert(frame)))
+            || handleMemory(frame) || handleMotors(frame) || handleExpert(frame) || handleSteering(frame)
+            || handleLater(frame)))
         return;
     refuse(frame, kUnknownCommand);
 }
@@ -86,7 +86,7 @@ bool SimulatedBoard::handleRead(const Frame &frame)
         BoardInfo info;
         info.boardVersion = m_options.own.value(u"board"_s, kBoardVersion);
         info.firmware = m_options.faults.unknownFirmware ? kUnknownFirmware : m_options.firmware;
-        info.features = ThreeAxis | BatteryMonitor | CurrentSensor;
+        info.features = ThreeAxis | BatteryMonitor | CurrentSensor | BodeTest;
         if (isFitted("encoders"))
             info.features |= Encoders;
         if (isFitted("magnetometer") && m_options.firmware >= kLater)
@@ -397,9 +397,7 @@ void SimulatedBoard::registerStream(const Frame &frame)
     }
     const auto id = static_cast<CommandId>(stream->command);
     const bool isCustom = id == CommandId::RealtimeDataCustom;
-    const bool isStreamed = isCustom || id == CommandId::RealtimeData3 || id == CommandId::RealtimeData4
-        || id == CommandId::AhrsHelper || (id == kEventMessage && m_options.firmware >= kEventsSince);
-    if (!isStreamed || (isCustom && isTooLong(ByteReader(stream->config).u32()))) {
+    if (!isStreamed(id) || (isCustom && isTooLong(ByteReader(stream->config).u32()))) {
         refuse(frame, kWrongParameters);
         return;
     }
@@ -430,7 +428,7 @@ QByteArray SimulatedBoard::polled(CommandId id, const QByteArray &payload)
 void SimulatedBoard::sendStreams()
 {
     for (Stream &stream : m_streams) {
-        if (m_now + 1e-9 < stream.next || stream.request.command == number(kEventMessage))
+        if (m_now + 1e-9 < stream.next || stream.request.command == number(CommandId::Event))
             continue;
         stream.next += stream.interval;
         QByteArray payload;
@@ -439,6 +437,8 @@ void SimulatedBoard::sendStreams()
             payload = realtime(id == CommandId::RealtimeData4);
         else if (id == CommandId::RealtimeDataCustom)
             payload = realtimeCustom(ByteReader(stream.request.config).u32());
+        else if (id == CommandId::RealtimeDataCustom2)
+            payload = realtimeCustom2(ByteReader(stream.request.config).u32());
         else
             payload = attitudeVectors(isFrameSensor() && stream.request.config.startsWith('\1'));
         if (m_options.faults.frozen && !stream.sent.isEmpty())
@@ -467,6 +467,7 @@ void SimulatedBoard::startCalibration(const Frame &frame)
     if (extended)
         confirm(frame);  // at reception; the second one comes at the end (document CALIB_ACC)
     if (action != 1 && action != 3) {
+        noteTemperatures(static_cast<CommandId>(frame.id), imu, action);
         if (action == 2) {
             SimulatedImu &sensor = imu == kFrameImu ? m_frameImu : m_stabilizer.imu();
             sensor.gyroCorrection = {};
@@ -495,7 +496,7 @@ void SimulatedBoard::beginCalibration(CommandId command, int imu, int action, in
     m_calibration.version = version;
     m_calibration.motorsWereOn = m_stabilizer.motorsOn();
     m_calibration.imu = imu;
-    if (imu == kFrameImu)
+    if (imu == kFrameImu || command == CommandId::CalibAccExtRef)
         return;  // the camera may move
     m_stabilizer.setMotorsOn(false);
     // The operator lays the camera down level, unless a fault has him shake it.

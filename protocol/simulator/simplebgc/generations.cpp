@@ -28,11 +28,11 @@ constexpr double kSaveTime = 0.030;  // seconds (errata 7: tens of ms)
 
 std::vector<DebugVar> debugVariables()
 {
-    return {{u"ERR_ROLL"_s, DebugVar::I16, 1, true, 1},      {u"ERR_PITCH"_s, DebugVar::I16, 2, true, 1},
-            {u"ERR_YAW"_s, DebugVar::I16, 3, true, 1},       {u"MOTOR_OUT"_s, DebugVar::F32, 0, false, 3},
-            {u"CPU_LOAD"_s, DebugVar::U8, 0, false, 1},      {u"IMU_TEMP"_s, DebugVar::I8, 0, false, 1},
-            {u"CYCLE_US"_s, DebugVar::U16, 0, false, 1},     {u"UPTIME_MS"_s, DebugVar::U32, 0, false, 1},
-            {u"YAW_UNWRAPPED"_s, DebugVar::I32, 3, false, 1}};
+    return {{u"ERR_ROLL"_s, DebugVar::I16, 1, true, 1},       {u"ERR_PITCH"_s, DebugVar::I16, 2, true, 1},
+            {u"ERR_YAW"_s, DebugVar::I16, 3, true, 1},        {u"MOTOR_OUT"_s, DebugVar::F32, 0, false, 3},
+            {u"CPU_LOAD"_s, DebugVar::U8, 0, false, 1},       {u"IMU_TEMP"_s, DebugVar::I8, 0, false, 1},
+            {u"CYCLE_US"_s, DebugVar::U16, 0, false, 1},      {u"UPTIME_MS"_s, DebugVar::U32, 0, false, 1},
+            {u"YAW_UNWRAPPED"_s, DebugVar::I32, 3, false, 1}, {u"SERVO_US"_s, DebugVar::I16, 0, false, 4}};
 }
 
 }  // namespace
@@ -97,11 +97,10 @@ void SimulatedBoard::tellValues(const Frame &frame)
 // Everything, or the variables that are listed.
 void SimulatedBoard::saveVariables(const Frame &frame)
 {
-    Block &stored = m_eeprom[std::size_t(m_active)];
     if (m_options.firmware < kSavedListSince || frame.payload.isEmpty()) {
         if (!hasSize(frame, 0))
             return;
-        stored = m_ram;
+        storeAll();
     } else {
         QStringList keys;
         for (const char byte : frame.payload) {
@@ -118,10 +117,11 @@ void SimulatedBoard::saveVariables(const Frame &frame)
         for (const QString &key : keys) {
             const ParameterSpec *parameter = spec(key);
             const auto block = parameter->row->block;
-            parameter->write(stored[block], parameter->read(m_ram[block]).value_or(0));
+            parameter->write(m_eeprom[std::size_t(m_active)][block],
+                             parameter->read(m_ram[block]).value_or(0));
         }
+        shareBoardValues(m_active);
     }
-    shareBoardValues(m_active);
     m_replies.push_back(
         {m_now + kSaveTime,
          encodeFrame(number(CommandId::Confirm), QByteArray(1, static_cast<char>(frame.id)), frame.version)});
@@ -186,7 +186,7 @@ void SimulatedBoard::motorsOff(const Frame &frame)
     else
         stopMotors();
     m_autoPid.reset();
-    m_control = {};
+    stopSteering();
     // That it ends what turns the motors is an assumption: no document tells.
     if (isStepping() && !m_options.faults.runsOn) {
         m_motorCalibration = {};

@@ -28,7 +28,6 @@ constexpr double kLookDown = 90.0;  // degrees
 constexpr double kShakeUnit = 0.01;  // degrees; no document tells it
 constexpr double kTrimPerSignal = 500.0;
 constexpr int kTemperature = 3;  // action of CALIB_ACC and CALIB_GYRO
-constexpr int kOnce = 1;
 
 int axisBit(Axis axis)
 {
@@ -225,7 +224,9 @@ int SimulatedBoard::switchMotorsSafely(int how)
     if (how == SwitchOver && !m_stabilizer.motorsOn())
         return switchMotors(SwitchOn);
     m_autoPid.reset();
-    m_control = {};
+    stopSteering();
+    if (m_frequencyTest.axis >= 0)
+        endFrequencyTest(kWrongState);
     if (m_stabilizer.motorsOn())
         m_modes.safeStopLeft = kSafeStopTime;
     return 0;
@@ -253,7 +254,8 @@ int SimulatedBoard::tuneAll(int /*argument*/)
 {
     if (isBusy())
         return kWrongState;
-    startAutoPid(kAllAxes | AutoPidKeepCurrent, kMiddleStability);
+    startAutoPid(CommandId::AutoPid, kAllAxes | AutoPidKeepCurrent,
+                 {kMiddleStability, kMiddleStability, kMiddleStability});
     return 0;
 }
 
@@ -445,9 +447,9 @@ void SimulatedBoard::updateModes()
 void SimulatedBoard::tellEvent(Event event, int type)
 {
     for (const Stream &stream : m_streams) {
-        if (stream.request.command == number(kEventMessage) && quint8(stream.request.config[0]) == event
+        if (stream.request.command == number(CommandId::Event) && quint8(stream.request.config[0]) == event
             && quint8(stream.request.config[1]) & type)
-            send(kEventMessage, ByteWriter().u8(event).u8(type).zeros(2).take(), stream.version);
+            send(CommandId::Event, ByteWriter().u8(event).u8(type).zeros(2).take(), stream.version);
     }
 }
 

@@ -152,6 +152,12 @@ double SimulatedBoard::ownAcc(std::size_t axis) const
         + seat.up[axis] * m_stabilizer.calibratedAcc(2);
 }
 
+std::array<double, kAxisCount> SimulatedBoard::fromSensor(const std::array<double, kAxisCount> &own) const
+{
+    const SensorSeat seat = seatOf(m_options.faults.mount);
+    return {dot(seat.right, own), dot(seat.front, own), dot(seat.up, own)};
+}
+
 bool SimulatedBoard::isRead(Axis axis) const
 {
     return isFitted("encoders") && int(axisValue("encoder.%a.type", axis)) == kEncoderType;
