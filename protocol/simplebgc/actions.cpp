@@ -109,6 +109,20 @@ const Actions::Entry Actions::kHandlers[] = {
     {"i2c.write", &Actions::i2cWriteRegisters},
     {"bootloader", &Actions::enterBootLoader},
     {"defaults", &Actions::useDefaults},
+    {"steer.attitude", &Actions::steerAttitude},
+    {"steer.state", &Actions::readAttitudeControl},
+    {"steer.limits", &Actions::limitSteering},
+    {"response", &Actions::measureFrequencies},
+    {"calibration", &Actions::readCalibration},
+    {"calibrate.acc_reference", &Actions::calibrateByReference},
+    {"variables.list", &Actions::describeVariables},
+    {"statistics.reset", &Actions::resetStatistics},
+    {"servo.single", &Actions::setSingleServo},
+    {"live", &Actions::readFurtherData},
+    {"references", &Actions::readReferences},
+    {"events", &Actions::followEvents},
+    {"autotune.by_axis", &Actions::tuneByAxis},
+    {"calibrate.cogging", &Actions::calibrateRipple},
 };
 // clang-format on
 
@@ -321,7 +335,7 @@ Result<ActionReply> Actions::steer(const QVariantMap &arguments)
     if (!Device::areMotorsRunning(*status).value_or(true))
         return failure(ErrorCode::ConditionUnmet, u"the motors are off, so nothing would move"_s);
 
-    ControlFrames frames = m_device.controlFrames(setpoint);
+    ControlFrames frames = m_device.controlFrames(setpoint, arguments.value(u"fine"_s).toBool());
     if (!arguments.value(u"release"_s).toBool())
         frames.release.clear();
     const auto seconds = arguments.value(u"seconds"_s).toDouble();
@@ -463,6 +477,8 @@ Result<ActionReply> Actions::readVariables(const QVariantMap &arguments)
     const auto ids = parseNumbers(arguments.value(u"ids"_s).toString(), 0, 255);
     if (!ids)
         return tl::unexpected(ids.error());
+    if (arguments.value(u"real"_s).toBool())
+        return readRealVariables(*ids);
     const auto values = m_device.readAdjustables(m_channel, *ids);
     if (!values)
         return tl::unexpected(values.error());

@@ -5,6 +5,7 @@
 #include "protocol/base/linkloss.h"
 #include "protocol/session/carryout.h"
 #include "protocol/simplebgc/actions.h"
+#include "protocol/simplebgc/messages.h"
 #include "protocol/simplebgc/parametertables.h"
 #include "protocol/simplebgc/telemetrytables.h"
 #include "protocol/simplebgc/units.h"
@@ -325,6 +326,8 @@ Result<ActionReply> Actions::stopAutoTune(const QVariantMap &)
     const auto confirmed = m_channel.transact(stopSearchRequest());
     if (!confirmed && confirmed.error().code != ErrorCode::Timeout)
         return tl::unexpected(confirmed.error());
+    if (m_device.m_identity.firmwareNumber >= kTuneByAxisSince)
+        m_channel.post(stopTuningByAxisRequest());
     if (const auto slept = m_channel.sleep(kReportOnItsWay); !slept)
         return tl::unexpected(slept.error());
     const auto searching = isSearching();

@@ -98,7 +98,9 @@ public:
     [[nodiscard]] SteeringSetpoint holdingSetpoint(int mode, const LatestValues &latest,
                                                    SteeredBefore steeredBefore) const override;
     [[nodiscard]] ControlFrames controlFrames(const SteeringSetpoint &setpoint) const override;
-    [[nodiscard]] static ControlFrames channelFrames(const std::vector<double> &percents);
+    /// @param isFine as API_VIRT_CH_HIGH_RES takes them
+    [[nodiscard]] static ControlFrames channelFrames(const std::vector<double> &percents,
+                                                     bool isFine = false);
 
     [[nodiscard]] const MotorSwitch *motorSwitch() const override { return this; }
     Result<void> switchMotorsOn(Channel &channel) const override;
@@ -151,8 +153,8 @@ public:
         double angle = 0;  ///< degrees, or the mode's own unit
     };
     using Control = std::array<AxisControl, kAxisCount>;
-    /// Each axis may be steered in its own mode.
-    [[nodiscard]] ControlFrames controlFrames(const Control &control) const;
+    /// Each axis may be steered in its own mode. @param isFine by CONTROL_EXT
+    [[nodiscard]] ControlFrames controlFrames(const Control &control, bool isFine = false) const;
     /// Ranges of a mode of CONTROL with this firmware; null if it does not have that mode.
     [[nodiscard]] const SteeringMode *steeringMode(int mode) const { return Steering::mode(mode); }
 
@@ -175,6 +177,7 @@ private:
     [[nodiscard]] bool steersTogether() const { return m_identity.firmwareNumber < 2555; }
     [[nodiscard]] bool canStream() const { return m_identity.firmwareNumber >= 2590; }
     [[nodiscard]] ControlCommand encodeControl(const Control &control) const;
+    [[nodiscard]] static QByteArray encodeControlExt(const Control &control);
     [[nodiscard]] static Request probeRequest();
     Result<TelemetryPlan> startPolling(Channel &channel, std::optional<LineSettings> line);
     void stopStreams(Channel &channel);

@@ -239,6 +239,7 @@ row('AUTO_PID2', '>', p('BH8x', 5, 0), 'action=5 command.send=0')
 row('AUTO_PID2', '>', p('BH8x', 6, 1), 'action=6 command.send=1')
 row('AUTO_PID2', '<', tune2, tune2told)
 row('BODE_TEST_START_STOP', '>', p('BBHHBIBH16x', 1, 0, 100, 200, 2, 5000, 1, 3), 'axis=1 gain=100 end=200 system=2 samples=5000 mode=1 start=3')
+row('BODE_TEST_START_STOP', '<', p('IHB15x', 5000, 8, 0), 'samples=5000 code=8 mode=0')
 row('BODE_TEST_DATA', '<', p('B4f4H', 1, -1, -2, 3, 4, 0, 1, 65534, 2), 'counter=1 in.min=-1 out.max=4 sample1.in=0 sample2.in=65534 sample2.out=2')
 
 # --- pins, sound, memory, files, scripts ---

@@ -167,6 +167,7 @@ inline constexpr SbgcVector kSbgcVectors[] = {
     {"AUTO_PID2", '>', "0601000000000000000000", "action=6 command.send=1", 99999},
     {"AUTO_PID2", '<', "0101000000000000000000010b322c01141e190000000000000b322c01141e190000000000000b322c01141e190000000000000580000a3203e200010a000000000000000000000000", "action=1 command.send=1 version=1 roll.flags.enabled=1 roll.flags.lpf=1 roll.flags.notches=2 pitch.gain=50 yaw.stimulus=300 yaw.margin=2.5 flags.from_current=1 flags.all_profiles=0 flags.gain_only=1 flags.gain_at_start=1 from=1 to=50 positions.first=1 positions.second=1 positions.third=0 position1=-90 position4=30", 99999},
     {"BODE_TEST_START_STOP", '>', "01006400c800028813000001030000000000000000000000000000000000", "axis=1 gain=100 end=200 system=2 samples=5000 mode=1 start=3", 99999},
+    {"BODE_TEST_START_STOP", '<', "88130000080000000000000000000000000000000000", "samples=5000 code=8 mode=0", 99999},
     {"BODE_TEST_DATA", '<', "01000080bf000000c0000040400000804000000100feff0200", "counter=1 in.min=-1 out.max=4 sample1.in=0 sample2.in=65534 sample2.out=2", 99999},
     {"TRIGGER_PIN", '>', "1001", "pin=16 state=1", 99999},
     {"SERVO_OUT", '>', "dc05ffff0000e8030000000000000000", "servo1=1500 servo2=-1 servo4=1000", 99999},

@@ -3,6 +3,7 @@
 #include "protocol/simplebgc/commands.h"
 #include "protocol/simplebgc/frametext.h"
 #include "protocol/simplebgc/messages.h"
+#include "tests/support/sbgcrig.h"
 #include "tests/unit/sbgcvectors.h"
 
 #include <QTest>
@@ -46,6 +47,59 @@ QStringList wordsOf(Fields fields, const QByteArray &payload)
     return words;
 }
 
+/// Commands that nothing here makes use of, and why.
+struct Unused
+{
+    const char *name;
+    bool isSimulated;  // the simulated board carries it out all the same
+    const char *reason;
+};
+// clang-format off
+constexpr Unused kUnused[] = {
+    {"GET_PARAMS_3", true, "no firmware has it: the document calls it not yet implemented"},
+    {"SIGN_MESSAGE", false, "the board signs with a key that only its maker knows"},
+    {"SET_ADJ_VARS_VAL_F", true, "all variables are whole numbers, which SET_ADJ_VARS_VAL sets and proves"},
+    {"MODULE_LIST", false, "of modules on the CAN bus"},
+    {"CAN_DEVICE_SCAN", false, "of modules on the CAN bus"},
+    {"CAN_DRV_TELEMETRY", false, "of modules on the CAN bus"},
+    {"CALIB_ORIENT_CORR", false, "it finds how crooked a sensor is mounted; the simulated one sits straight"},
+    {"SYNC_MOTORS", false, "of axes that two motors turn"},
+    {"EXT_IMU_CMD", false, "passed on to an external sensor"},
+    {"EXT_SENS_CMD", false, "passed on to an external sensor"},
+    {"EXT_MOTORS_ACTION", false, "of external motors"},
+    {"EXT_MOTORS_CONTROL", false, "of external motors"},
+    {"EXT_MOTORS_CONTROL_CONFIG", false, "of external motors"},
+    {"EXT_MOTORS_STATE", false, "of external motors"},
+    {"TRANSPARENT_SAPI", false, "passed on to another board"},
+    {"SET_DEBUG_PORT", false, "repeats what passes the board's other ports; the simulated one has no others"},
+};
+// clang-format on
+
+const Unused *unused(const MessageSpec &message)
+{
+    const auto found = std::find_if(std::begin(kUnused), std::end(kUnused), [&message](const Unused &each) {
+        return qstrcmp(each.name, message.name) == 0;
+    });
+    return found == std::end(kUnused) ? nullptr : found;
+}
+
+/// The code of ERROR with which a board with all its sensors refuses it; 0: it does not, -1: nothing is said.
+int refusalBy(int firmware, int id, const QByteArray &payload)
+{
+    constexpr int kErrorId = 255;
+    SimulatorOptions options = withFirmware(firmware);
+    for (const char *part : {"encoders", "frame-imu", "magnetometer", "fc"})
+        options.own.insert(QLatin1String(part), 1);
+    VirtualBoard board(options);
+    const auto heard = board.channel.listen([](const FrameView &) { return true; });
+    if (!board.channel.transact(silentRequest(CommandId(id), payload, 1)))
+        return -1;
+    const auto frame = heard->next(200ms);
+    if (!frame)
+        return -1;
+    return frame->id == kErrorId ? int(quint8(frame->payload[1])) : 0;
+}
+
 }  // namespace
 
 class TestSbgcMessages : public QObject
@@ -60,6 +114,9 @@ private slots:
     void whatIsWrongIsSaid_data();
     void whatIsWrongIsSaid();
     void framesAreWorded();
+    void everyCommandIsOfUse();
+    void everyCommandHasAnEffect();
+    void earlierFirmwareKnowsNothingOfIt();
 };
 
 void TestSbgcMessages::numbersAreInOrder()
@@ -248,6 +305,43 @@ void TestSbgcMessages::framesAreWorded()
                                                  vector.way == '<', nullptr, vector.firmware);
             QVERIFY2(!text.name.isEmpty(), vector.name);
         }
+    }
+}
+
+// It has a place, or there is a reason.
+void TestSbgcMessages::everyCommandIsOfUse()
+{
+    for (const MessageSpec &message : messages())
+        QVERIFY2(!message.isPublic || (*message.where != '\0') != (unused(message) != nullptr), message.name);
+    for (const Unused &each : kUnused)
+        QVERIFY2(findMessage(QString::fromLatin1(each.name)) && *each.reason, each.name);
+}
+
+// The newest firmware knows it.
+void TestSbgcMessages::everyCommandHasAnEffect()
+{
+    constexpr int kUnknown = 6;
+    for (const SbgcVector &vector : kSbgcVectors) {
+        const MessageSpec &message = *messageOf(vector);
+        if (vector.way != '>')
+            continue;
+        const Unused *reasoned = unused(message);
+        const int code
+            = refusalBy(simplebgc::Device::kNewestFirmware, message.id, QByteArray::fromHex(vector.hex));
+        QVERIFY2((code != kUnknown) == (!reasoned || reasoned->isSimulated), vector.name);
+    }
+}
+
+// Firmware before 2.60 is silent, later firmware refuses it.
+void TestSbgcMessages::earlierFirmwareKnowsNothingOfIt()
+{
+    constexpr int kUnknown = 6;
+    for (const SbgcVector &vector : kSbgcVectors) {
+        const MessageSpec &message = *messageOf(vector);
+        if (vector.way != '>' || message.since == 0)
+            continue;
+        const int code = refusalBy(message.since - 1, message.id, QByteArray::fromHex(vector.hex));
+        QVERIFY2(code == (message.since > kLater ? kUnknown : -1), vector.name);
     }
 }
 

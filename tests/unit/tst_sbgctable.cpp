@@ -37,6 +37,7 @@ constexpr Way kWays[] = {
     {"Control", "do steer"},
     {"Start motors", "motors on"},
     {"Stop motors", "motors off"},
+    {"everywhere", "raw"},
 };
 // clang-format on
 
@@ -160,7 +161,7 @@ void TestSbgcTable::placesAreThere()
 {
     const QString pages
         = contentOf(u"app/mainwindow/pagetable.cpp"_s) + contentOf(u"app/families/familypages.cpp"_s);
-    const QStringList elsewhere{u"connecting"_s, u"Start motors"_s, u"Stop motors"_s};
+    const QStringList elsewhere{u"connecting"_s, u"Start motors"_s, u"Stop motors"_s, u"everywhere"_s};
     QVERIFY(pages.contains(u"\"Actions\""_s) && pages.contains(u"\"Console\""_s));
     for (const MessageSpec &message : messages()) {
         for (const QString &place : placesOf(message))
