@@ -379,7 +379,7 @@ Result<ActionReply> Actions::tuneByAxis(const QVariantMap &arguments)
         return tl::unexpected(before.error());
     SelfCalibration calibration{CommandId::AutoPid2, 8, Params3, {"pid.%1.p", "pid.%1.i", "pid.%1.d"}};
     calibration.payload = payload;
-    calibration.step = "autotune";
+    calibration.step = "tune-by-axis";
     calibration.length = kSearchLasts;
     auto done = calibrateProven(calibration);
     if (!done) {

@@ -54,7 +54,8 @@ bool addSamples(ShakenAxis &shaken, const QByteArray &payload)
     return true;
 }
 
-Result<ActionReply> foundResponse(const ShakenAxis &shaken, double from, double to)
+/// @param isLoop it is one that follows, so that it has a bandwidth
+Result<ActionReply> foundResponse(const ShakenAxis &shaken, double from, double to, bool isLoop)
 {
     const auto response = frequencyResponse(shaken.in, shaken.out, kTestRate);
     if (!response)
@@ -84,7 +85,7 @@ Result<ActionReply> foundResponse(const ShakenAxis &shaken, double from, double 
     reply.insert(u"coherence"_s, coherence / good);
     reply.insert(u"peak.frequency"_s, response->frequency(*peak));
     reply.insert(u"peak.gain"_s, response->gainDb(*peak));
-    if (bandwidth)
+    if (isLoop && bandwidth)
         reply.insert(u"bandwidth.frequency"_s, *bandwidth);
     return reply;
 }
@@ -175,7 +176,8 @@ Result<ActionReply> Actions::measureFrequencies(const QVariantMap &arguments)
         return tl::unexpected(written.error());
     if (const auto saved = writeWhole(arguments.value(u"file"_s).toString(), text.data()); !saved)
         return tl::unexpected(saved.error());
-    return foundResponse(shaken, from, to);
+    constexpr int kLoops = 128 | 8;  // closed, and overall
+    return foundResponse(shaken, from, to, arguments.value(u"system"_s).toInt() & kLoops);
 }
 
 }  // namespace simplebgc

@@ -8,6 +8,7 @@
 #include "protocol/simplebgc/units.h"
 #include "tests/support/channelproxy.h"
 #include "tests/support/sbgcrig.h"
+#include "tests/unit/sbgcvectors.h"
 
 #include <QFile>
 
@@ -78,6 +79,8 @@ private slots:
     void variablesAreListed();
     void statisticsBeginAnew();
     void signalIsGivenInFinerSteps();
+    void whatIsSentIsAsTheErrataSay_data();
+    void whatIsSentIsAsTheErrataSay();
     void earlierFirmwareHasNoneOfIt();
 };
 
@@ -508,6 +511,62 @@ void TestSbgcLater::signalIsGivenInFinerSteps()
     std::ignore = rig.channel.sleep(20ms);
     QVERIFY(std::abs(rig.perform("signals")->value(u"rc.map.pitch"_s).toDouble() - 33.337) < 0.01);
     DONE(rig.perform("channel", {{u"channel"_s, u"1"_s}, {u"value"_s, u"20"_s}, {u"fine"_s, u"on"_s}}));
+}
+
+void TestSbgcLater::whatIsSentIsAsTheErrataSay_data()
+{
+    using Texts = SbgcRig::Texts;
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<Texts>("texts");
+    QTest::addColumn<QStringList>("sent");
+    const auto row = [](const char *key, const Texts &texts, const QStringList &sent) {
+        QTest::newRow(key) << QString::fromLatin1(key) << texts << sent;
+    };
+    row("steer.limits", {{u"timeout"_s, u"0.5"_s}, {u"roll"_s, u"50"_s}, {u"yaw"_s, u"900"_s}},
+        {u"CONTROL_CONFIG"_s});
+    row("steer.attitude", {{u"pitch"_s, u"60"_s}},
+        {u"CONTROL_QUAT_CONFIG"_s, u"CONTROL_QUAT"_s, u"CONTROL_QUAT_STATUS"_s});
+    row("response",
+        {{u"axis"_s, u"yaw"_s},
+         {u"system"_s, u"plant"_s},
+         {u"stimulus"_s, u"sweep"_s},
+         {u"gain"_s, u"1500"_s},
+         {u"from"_s, u"20"_s},
+         {u"seconds"_s, u"4"_s},
+         {u"file"_s, u"/nowhere/at/all"_s}},
+        {u"BODE_TEST_START_STOP"_s});
+    row("calibrate.acc_reference", {{u"x"_s, u"0.5"_s}, {u"y"_s, u"-0.5"_s}, {u"z"_s, u"0.7"_s}},
+        {u"CALIB_ACC_EXT_REF"_s});
+    row("calibrate.cogging", {{u"action"_s, u"forget"_s}, {u"roll"_s, u"off"_s}, {u"pitch"_s, u"off"_s}},
+        {u"CALIB_COGGING"_s});
+    row("servo.single", {{u"servo"_s, u"CAN7-2"_s}, {u"pulse"_s, u"1200"_s}}, {u"SERVO_OUT_EXT"_s});
+    row("variables.read", {{u"ids"_s, u"0,3"_s}, {u"real"_s, u"on"_s}}, {u"GET_ADJ_VARS_VAL_F"_s});
+    row("calibration", {{u"imu"_s, u"frame"_s}}, {u"CALIB_INFO"_s});
+    row("live", {}, {u"REALTIME_DATA_CUSTOM2"_s});
+    row("autotune.by_axis", {{u"roll"_s, u"off"_s}, {u"pitch"_s, u"off"_s}, {u"yaw"_s, u"off"_s}},
+        {u"AUTO_PID2"_s});
+}
+
+// Bytes worked out by tests/support/sbgcvectors.py, whatever comes of them.
+void TestSbgcLater::whatIsSentIsAsTheErrataSay()
+{
+    QFETCH(QString, key);
+    QFETCH(SbgcRig::Texts, texts);
+    QFETCH(QStringList, sent);
+    SbgcRig rig(kNewest);
+    QStringList seen;
+    Altering channel(rig.channel, [&](const Request &request, const Altering::Pass &pass) {
+        const QByteArray payload = request.bytes.mid(4).chopped(1).toHex();
+        for (const SbgcVector &vector : kSbgcVectors) {
+            if (vector.way == '>' && request.name == QLatin1String(vector.name) && payload == vector.hex
+                && !seen.contains(request.name))
+                seen.append(request.name);
+        }
+        return pass(request);
+    });
+    std::ignore = rig.device.perform(channel, key, argumentsFor(rig.device, qPrintable(key), texts));
+    for (const QString &name : sent)
+        QVERIFY2(seen.contains(name), qPrintable(name));
 }
 
 void TestSbgcLater::earlierFirmwareHasNoneOfIt()
