@@ -100,7 +100,7 @@ void TestSbgcGenerations::commandsAreTakenAsTheFirmwareKnowsThem_data()
         {refused(CommandId::SaveParams3, 2)});
     row("variables from an index, too early", 2719, CommandId::DebugVarsInfo3, "0801",
         {refused(CommandId::DebugVarsInfo3, 1)});
-    row("variables from an index", 2720, CommandId::DebugVarsInfo3, "08",
+    row("variables from an index", 2720, CommandId::DebugVarsInfo3, "09",
         {u"253 0a08"_s + QLatin1String(QByteArray("SERVO_US").toHex()) + u"040400"_s});
 }
 
