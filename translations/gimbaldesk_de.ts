@@ -4474,7 +4474,7 @@
     </message>
     <message>
         <source>the camera was not tilted 45° down, without roll, for one second</source>
-        <translation>die Kamera wurde nicht eine Sekunde lang um 45° nach unten geneigt, ohne Rollen</translation>
+        <translation>die Kamera wurde nicht eine Sekunde lang um 45° nach unten geneigt, ohne Drehung um Roll</translation>
     </message>
     <message>
         <source>no axis of the sensor pointed up for one second</source>
@@ -6722,7 +6722,7 @@
     </message>
     <message>
         <source>Keys: W and S throttle, A and D yaw, arrows roll and pitch, space disarms.</source>
-        <translation>Tasten: W und S Gas, A und D Gieren, Pfeile Rollen und Nicken, Leertaste entschärft.</translation>
+        <translation>Tasten: W und S Gas, A und D Yaw, Pfeile Roll und Pitch, Leertaste entschärft.</translation>
     </message>
     <message>
         <source>If it is unplugged or falls silent, the drone is disarmed. Its sticks are assigned on the page “Gamepad”.</source>
@@ -6754,7 +6754,7 @@
     </message>
     <message>
         <source>the gamepad has no stick for throttle, roll, pitch or yaw. Assign it on the page “Gamepad”.</source>
-        <translation>dem Gamepad fehlt ein Knüppel für Gas, Roll, Nick oder Gier. Weisen Sie ihn auf der Seite „Gamepad“ zu.</translation>
+        <translation>dem Gamepad fehlt ein Knüppel für Gas, Roll, Pitch oder Yaw. Weisen Sie ihn auf der Seite „Gamepad“ zu.</translation>
     </message>
     <message>
         <source>another ground station talks to it.</source>
@@ -7100,7 +7100,7 @@
     </message>
     <message>
         <source>%1 is ready with the default for drones: left stick throttle and yaw, right stick roll and pitch. The throttle counts from the stick&apos;s middle up: let go, it is zero. Assign sticks to change that. It steers only where you arm with it.</source>
-        <translation>%1 ist bereit, mit der Vorgabe für Drohnen: linker Knüppel Gas und Gieren, rechter Rollen und Nicken. Das Gas zählt von der Mitte des Knüppels aufwärts: losgelassen ist es null. Wer es anders will, ordnet Knüppel zu. Es steuert nur dort, wo Sie mit ihm scharf schalten.</translation>
+        <translation>%1 ist bereit, mit der Vorgabe für Drohnen: linker Knüppel Gas und Yaw, rechter Roll und Pitch. Das Gas zählt von der Mitte des Knüppels aufwärts: losgelassen ist es null. Wer es anders will, ordnet Knüppel zu. Es steuert nur dort, wo Sie mit ihm scharf schalten.</translation>
     </message>
     <message>
         <source>%1 is ready with the default for gimbals: the right stick pans and tilts. Assign sticks to change that. It steers only where you arm with it.</source>
@@ -11641,7 +11641,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Stabilised, roll and pitch follow the stick by their angle; yaw, and all axes in rate mode, by their rate.</source>
-        <translation>Stabilisiert folgen Rollen und Nicken dem Knüppel mit dem Winkel; Gieren, und im Ratenmodus alle Achsen, mit der Drehrate.</translation>
+        <translation>Stabilisiert folgen Roll und Pitch dem Knüppel mit dem Winkel; Yaw, und im Ratenmodus alle Achsen, mit der Drehrate.</translation>
     </message>
     <message>
         <source>How far the stick is pushed</source>
@@ -20368,7 +20368,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Virtual channels (1 roll, 2 pitch, 3 yaw)</source>
-        <translation>Virtuelle Kanäle (1 Roll, 2 Nick, 3 Gier)</translation>
+        <translation>Virtuelle Kanäle (1 Roll, 2 Pitch, 3 Yaw)</translation>
     </message>
     <message>
         <source>What comes in at the slots of adjustable variables and menu commands, and what it sets.</source>
@@ -22000,7 +22000,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Pitch: acceleration (0 = no limit)</source>
-        <translation>Nicken: Beschleunigung (0 = ohne Grenze)</translation>
+        <translation>Pitch: Beschleunigung (0 = ohne Grenze)</translation>
     </message>
     <message>
         <source>Read calibration of a sensor</source>
@@ -22024,7 +22024,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Roll: acceleration (0 = no limit)</source>
-        <translation>Rollen: Beschleunigung (0 = ohne Grenze)</translation>
+        <translation>Roll: Beschleunigung (0 = ohne Grenze)</translation>
     </message>
     <message>
         <source>Set one servo output</source>
@@ -22096,7 +22096,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Yaw: acceleration (0 = no limit)</source>
-        <translation>Gieren: Beschleunigung (0 = ohne Grenze)</translation>
+        <translation>Yaw: Beschleunigung (0 = ohne Grenze)</translation>
     </message>
     <message>
         <source>controller</source>
