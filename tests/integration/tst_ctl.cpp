@@ -752,12 +752,13 @@ void TestCtl::optionsOfOtherCommandsAreRefused_data()
     row({u"info"_s, u"--profile"_s, u"1"_s}, u"info has no option '--profile'; it takes "_s + general);
     row({u"get"_s, u"pid.roll.p"_s, u"--csv"_s, u"x"_s}, u"it takes --profile N, "_s + general);
     row({u"--dry-run"_s, u"set"_s, u"pid.roll.p=1"_s},
-        u"it takes --profile N, --no-save, --others WHAT, "_s + general);
+        u"it takes --profile N, --no-save, --others WHAT, --confirmed, "_s + general);
     row({u"measure"_s, u"steps"_s, u"yaw"_s, u"--seconds"_s, u"3"_s}, u"it takes --csv FILE, "_s + general);
     row({u"monitor"_s, u"--no-save"_s},
         u"it takes --channels a,b, --stream KIND@RATE, --seconds N, "_s + general);
     row({u"apply"_s, u"x"_s, u"--colour"_s},
-        u"apply has no option '--colour'; it takes --dry-run, --partial, --others WHAT, "_s + general);
+        u"apply has no option '--colour'; it takes --dry-run, --partial, --others WHAT, --confirmed, "_s
+            + general);
 }
 
 void TestCtl::optionsOfOtherCommandsAreRefused()

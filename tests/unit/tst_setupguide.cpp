@@ -262,11 +262,11 @@ void TestSetupGuide::sensorsAreTold()
     options.faults.noImu = !hasImu;
     if (encoders > 0)
         options.own[u"encoders"_s] = 1;
+    if (hasFrame)
+        options.own[u"frame-imu"_s] = 1;
     SetupBench bench(options);
     if (encoders > 1)
         bench.board.board().store(u"encoder.roll.type"_s, 0, 0);
-    if (!hasFrame)
-        bench.board.board().store(u"imu.frame.position"_s, 0, 0);
     const auto result = bench.run("sensors");
     QVERIFY2(result, qPrintable(why(result)));
     QCOMPARE(result->state, hasImu ? State::Done : State::Poor);
