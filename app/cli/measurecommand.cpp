@@ -3,7 +3,7 @@
 #include "app/cli/measurecommand.h"
 
 #include "protocol/base/filefault.h"
-#include "protocol/record/responsecsv.h"
+#include "protocol/base/responsecsv.h"
 
 #include <QSaveFile>
 

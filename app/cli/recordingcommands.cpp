@@ -7,8 +7,8 @@
 #include "protocol/analysis/holdingquality.h"
 #include "protocol/analysis/stepresponse.h"
 #include "protocol/base/filefault.h"
+#include "protocol/base/responsecsv.h"
 #include "protocol/record/replaystore.h"
-#include "protocol/record/responsecsv.h"
 #include "protocol/record/telemetrycsv.h"
 #include "protocol/telemetry/uniformsamples.h"
 

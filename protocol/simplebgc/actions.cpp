@@ -109,6 +109,20 @@ const Actions::Entry Actions::kHandlers[] = {
     {"i2c.write", &Actions::i2cWriteRegisters},
     {"bootloader", &Actions::enterBootLoader},
     {"defaults", &Actions::useDefaults},
+    {"steer.attitude", &Actions::steerAttitude},
+    {"steer.state", &Actions::readAttitudeControl},
+    {"steer.limits", &Actions::limitSteering},
+    {"response", &Actions::measureFrequencies},
+    {"calibration", &Actions::readCalibration},
+    {"calibrate.acc_reference", &Actions::calibrateByReference},
+    {"variables.list", &Actions::describeVariables},
+    {"statistics.reset", &Actions::resetStatistics},
+    {"servo.single", &Actions::setSingleServo},
+    {"live", &Actions::readFurtherData},
+    {"references", &Actions::readReferences},
+    {"events", &Actions::followEvents},
+    {"autotune.by_axis", &Actions::tuneByAxis},
+    {"calibrate.cogging", &Actions::calibrateRipple},
 };
 // clang-format on
 
@@ -136,7 +150,7 @@ bool Actions::isBlind(const Frame &status)
 
 Result<void> Actions::needSensor()
 {
-    const auto status = m_channel.transact(Device::statusRequest());
+    const auto status = m_channel.transact(m_device.statusRequest());
     if (!status)
         return tl::unexpected(status.error());
     if (isBlind(*status))
@@ -153,7 +167,7 @@ Result<ActionReply> Actions::readAngles(const QVariantMap &)
     const auto angles = decodeAngles(asBytes(plain->payload));
     if (!angles)
         return tl::unexpected(angles.error());
-    const auto status = m_channel.transact(Device::statusRequest());
+    const auto status = m_channel.transact(m_device.statusRequest());
     if (!status)
         return tl::unexpected(status.error());
     const bool blind = isBlind(*status);
@@ -229,7 +243,7 @@ Result<ActionReply> Actions::motorsOff(const QVariantMap &)
 Result<ActionReply> Actions::motorsAre(bool on)
 {
     const auto are
-        = holdsWithin(m_channel, Device::statusRequest(), kMotorsSwitch, [on](const Frame &status) {
+        = holdsWithin(m_channel, m_device.statusRequest(), kMotorsSwitch, [on](const Frame &status) {
               return Device::areMotorsRunning(status).value_or(!on) == on;
           });
     if (!are)
@@ -251,7 +265,7 @@ Result<ActionReply> Actions::menu(const QVariantMap &arguments)
     if (command == kMenuMotorsOn || command == kMenuMotorsOff)
         motors = command == kMenuMotorsOn;
     if (command == kMenuMotorsSwitch) {
-        const auto status = m_channel.transact(Device::statusRequest());
+        const auto status = m_channel.transact(m_device.statusRequest());
         if (!status)
             return tl::unexpected(status.error());
         if (const auto running = Device::areMotorsRunning(*status))
@@ -315,13 +329,13 @@ Result<ActionReply> Actions::steer(const QVariantMap &arguments)
             ErrorCode::InvalidArgument,
             u"firmware before 2.55b5 steers all axes at once and cannot leave one alone: name roll, "
             "pitch and yaw"_s);
-    const auto status = m_channel.transact(Device::statusRequest());
+    const auto status = m_channel.transact(m_device.statusRequest());
     if (!status)
         return tl::unexpected(status.error());
     if (!Device::areMotorsRunning(*status).value_or(true))
         return failure(ErrorCode::ConditionUnmet, u"the motors are off, so nothing would move"_s);
 
-    ControlFrames frames = m_device.controlFrames(setpoint);
+    ControlFrames frames = m_device.controlFrames(setpoint, arguments.value(u"fine"_s).toBool());
     if (!arguments.value(u"release"_s).toBool())
         frames.release.clear();
     const auto seconds = arguments.value(u"seconds"_s).toDouble();
@@ -463,6 +477,8 @@ Result<ActionReply> Actions::readVariables(const QVariantMap &arguments)
     const auto ids = parseNumbers(arguments.value(u"ids"_s).toString(), 0, 255);
     if (!ids)
         return tl::unexpected(ids.error());
+    if (arguments.value(u"real"_s).toBool())
+        return readRealVariables(*ids);
     const auto values = m_device.readAdjustables(m_channel, *ids);
     if (!values)
         return tl::unexpected(values.error());

@@ -5,6 +5,7 @@
 #include "protocol/configuration/memoryimage.h"
 #include "protocol/simplebgc/device.h"
 #include "protocol/simplebgc/parametertables.h"
+#include "protocol/simplebgc/rotation.h"
 
 #include <array>
 #include <functional>
@@ -105,6 +106,41 @@ private:
     Result<ActionReply> listScripts(const QVariantMap &arguments);
     Result<ActionReply> followScript(const QVariantMap &arguments);
     Result<ActionReply> useDefaults(const QVariantMap &arguments);
+    // attitudeactions.cpp
+    Result<ActionReply> steerAttitude(const QVariantMap &arguments);
+    Result<ActionReply> readAttitudeControl(const QVariantMap &arguments);
+    Result<ActionReply> limitSteering(const QVariantMap &arguments);
+    // responseactions.cpp
+    Result<ActionReply> measureFrequencies(const QVariantMap &arguments);
+    // lateractions.cpp
+    Result<ActionReply> readCalibration(const QVariantMap &arguments);
+    Result<ActionReply> calibrateByReference(const QVariantMap &arguments);
+    Result<ActionReply> describeVariables(const QVariantMap &arguments);
+    Result<ActionReply> resetStatistics(const QVariantMap &arguments);
+    Result<ActionReply> setSingleServo(const QVariantMap &arguments);
+    Result<ActionReply> readFurtherData(const QVariantMap &arguments);
+    Result<ActionReply> readReferences(const QVariantMap &arguments);
+    Result<ActionReply> followEvents(const QVariantMap &arguments);
+    Result<ActionReply> tuneByAxis(const QVariantMap &arguments);
+    Result<ActionReply> calibrateRipple(const QVariantMap &arguments);
+
+    /// A question whose answer has the same number.
+    Result<Frame> ask(CommandId id, const QByteArray &question, int replySize);
+    Result<ActionReply> readRealVariables(const QList<int> &ids);
+    static Request stopTuningByAxisRequest();
+    static QByteArray frequencyTestPayload(const QVariantMap &arguments, quint32 samples);
+    /// Stops what shakes the axis, and says in the error what became of that.
+    Error afterFrequencyTest(const Error &error, const QVariantMap &arguments);
+    /// What CONTROL_QUAT_STATUS tells.
+    struct AttitudeState
+    {
+        int mode = 0;
+        std::array<Orientation, 3> attitudes{};  ///< target, set-point, actual
+        std::array<std::array<double, kAxisCount>, 3> speeds{};  ///< deg/s, of the same
+    };
+    static constexpr std::size_t kActual = 2;
+    Result<AttitudeState> attitudeState();
+    static ActionReply told(const AttitudeState &state);
 
     /// A calibration that the board makes by itself, and the parameters that it finds; "%1" in their keys is
     /// the axis.

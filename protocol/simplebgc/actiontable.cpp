@@ -90,7 +90,37 @@ constexpr ArgumentSpec kSteerArguments[] = {
      .defaultText = "30"},
     {.key = "seconds", .label = "Duration", .kind = ArgumentKind::Real, .min = 0.1, .max = 600, .unit = "s",
      .defaultText = "3"},
+    {.key = "release", .label = "Release control at the end", .kind = ArgumentKind::Toggle, .defaultText = "on"},
+    {.key = "fine", .label = "In finer steps", .kind = ArgumentKind::Toggle, .defaultText = "off"}};
+constexpr ArgumentSpec kAttitudeTarget[] = {
+    {.key = "roll", .label = "Roll", .kind = ArgumentKind::Real, .min = -180, .max = 180, .unit = "°", .defaultText = "0"},
+    {.key = "pitch", .label = "Pitch", .kind = ArgumentKind::Real, .min = -90, .max = 90, .unit = "°", .defaultText = "0"},
+    {.key = "yaw", .label = "Yaw", .kind = ArgumentKind::Real, .min = -180, .max = 180, .unit = "°", .defaultText = "0"},
+    {.key = "speed", .label = "Speed", .kind = ArgumentKind::Real, .min = 1, .max = 360, .unit = "°/s", .defaultText = "30"},
+    {.key = "acceleration", .label = "Acceleration (0 = no limit)", .kind = ArgumentKind::Integer, .min = 0, .max = 10000, .unit = "°/s²",
+     .defaultText = "100"},
+    {.key = "seconds", .label = "Duration", .kind = ArgumentKind::Real, .min = 0.1, .max = 600, .unit = "s", .defaultText = "3"},
     {.key = "release", .label = "Release control at the end", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
+constexpr ArgumentSpec kSteeringLimits[] = {
+    {.key = "timeout", .label = "Without a command, steering ends after (0 = never)", .kind = ArgumentKind::Real, .min = 0, .max = 60, .unit = "s",
+     .defaultText = "0"},
+    {.key = "roll", .label = "Roll: acceleration (0 = no limit)", .kind = ArgumentKind::Integer, .min = 0, .max = 10000, .unit = "°/s²", .defaultText = "0"},
+    {.key = "pitch", .label = "Pitch: acceleration (0 = no limit)", .kind = ArgumentKind::Integer, .min = 0, .max = 10000, .unit = "°/s²", .defaultText = "0"},
+    {.key = "yaw", .label = "Yaw: acceleration (0 = no limit)", .kind = ArgumentKind::Integer, .min = 0, .max = 10000, .unit = "°/s²", .defaultText = "0"}};
+constexpr Choice kAxisChoices[] = {{0, "roll"}, {1, "pitch"}, {2, "yaw"}};
+constexpr ArgumentSpec kResponseArguments[] = {
+    {.key = "axis", .label = "Axis", .kind = ArgumentKind::Choice, .choices = kAxisChoices},
+    {.key = "system", .label = "What is measured", .kind = ArgumentKind::Choice, .choices = kTestedSystems, .defaultText = "whole-loop"},
+    {.key = "stimulus", .label = "Stimulus", .kind = ArgumentKind::Choice, .choices = kStimuli, .defaultText = "noise"},
+    {.key = "gain", .label = "Strength of the stimulus", .kind = ArgumentKind::Integer, .min = 1, .max = 65535, .defaultText = "300"},
+    {.key = "from", .label = "Lowest frequency", .kind = ArgumentKind::Integer, .min = 1, .max = 600, .unit = "Hz", .defaultText = "2"},
+    {.key = "to", .label = "Highest frequency", .kind = ArgumentKind::Integer, .min = 2, .max = 600, .unit = "Hz", .defaultText = "150"},
+    {.key = "seconds", .label = "Duration", .kind = ArgumentKind::Real, .min = 4, .max = 60, .unit = "s", .defaultText = "20"},
+    {.key = "file", .label = "File", .kind = ArgumentKind::Text}};
+constexpr ArgumentSpec kReferenceArguments[] = {
+    {.key = "x", .label = "X", .kind = ArgumentKind::Real, .min = -1.5, .max = 1.5, .unit = "g", .defaultText = "0"},
+    {.key = "y", .label = "Y", .kind = ArgumentKind::Real, .min = -1.5, .max = 1.5, .unit = "g", .defaultText = "0"},
+    {.key = "z", .label = "Z", .kind = ArgumentKind::Real, .min = -1.5, .max = 1.5, .unit = "g", .defaultText = "1"}};
 constexpr ArgumentSpec kBeepArguments[] = {
     {.key = "sound", .label = "Sound", .kind = ArgumentKind::Choice, .choices = kSounds, .defaultText = "confirm"},
     {.key = "notes", .label = "Notes of a melody (Hz, comma between)", .kind = ArgumentKind::Text,
@@ -100,7 +130,8 @@ constexpr ArgumentSpec kBeepArguments[] = {
     {.key = "decay", .label = "Decay", .kind = ArgumentKind::Integer, .min = 0, .max = 15, .defaultText = "3"}};
 constexpr ArgumentSpec kReadVariables[] = {
     {.key = "ids", .label = "Numbers (comma between)", .kind = ArgumentKind::Text,
-     .defaultText = "0,1,2,3,4,5,6,7,8,9,10,11"}};
+     .defaultText = "0,1,2,3,4,5,6,7,8,9,10,11"},
+    {.key = "real", .label = "As real numbers", .kind = ArgumentKind::Toggle, .defaultText = "off"}};
 constexpr ArgumentSpec kWriteVariable[] = {
     {.key = "id", .label = "Number", .kind = ArgumentKind::Integer, .min = 0, .max = 255},
     {.key = "value", .label = "Value", .kind = ArgumentKind::Integer, .min = -2147483648.0, .max = 2147483647.0}};
@@ -137,7 +168,39 @@ constexpr ArgumentSpec kServoArguments[] = {
 constexpr ArgumentSpec kChannelArguments[] = {
     {.key = "channel", .label = "Channel", .kind = ArgumentKind::Integer, .min = 1, .max = 31},
     {.key = "value", .label = "Signal", .kind = ArgumentKind::Real, .min = -100, .max = 100, .unit = "%"},
-    {.key = "seconds", .label = "Duration", .kind = ArgumentKind::Real, .min = 0.1, .max = 600, .unit = "s", .defaultText = "1"}};
+    {.key = "seconds", .label = "Duration", .kind = ArgumentKind::Real, .min = 0.1, .max = 600, .unit = "s", .defaultText = "1"},
+    {.key = "fine", .label = "In finer steps", .kind = ArgumentKind::Toggle, .defaultText = "off"}};
+constexpr ArgumentSpec kEventArguments[] = {
+    {.key = "seconds", .label = "Duration", .kind = ArgumentKind::Real, .min = 1, .max = 3600, .unit = "s", .defaultText = "30"}};
+constexpr Choice kServoOutputs[] = {
+    {0, "FC_ROLL"}, {1, "FC_PITCH"}, {2, "RC_PITCH"}, {3, "AUX1"}, {4, "CAN1-1"}, {5, "CAN1-2"}, {6, "CAN2-1"}, {7, "CAN2-2"}, {8, "CAN3-1"},
+    {9, "CAN3-2"}, {10, "CAN4-1"}, {11, "CAN4-2"}, {12, "CAN5-1"}, {13, "CAN5-2"}, {14, "CAN6-1"}, {15, "CAN6-2"}, {16, "CAN7-1"}, {17, "CAN7-2"}};
+constexpr ArgumentSpec kSingleServo[] = {
+    {.key = "servo", .label = "Output", .kind = ArgumentKind::Choice, .choices = kServoOutputs},
+    {.key = "pulse", .label = "Pulse", .kind = ArgumentKind::Integer, .min = -1, .max = 20000, .unit = "µs"}};
+constexpr Choice kRippleActions[] = {{1, "learn"}, {2, "forget"}};
+constexpr ArgumentSpec kRippleArguments[] = {
+    {.key = "action", .label = "What to do", .kind = ArgumentKind::Choice, .choices = kRippleActions, .defaultText = "learn"},
+    {.key = "roll", .label = "Roll", .kind = ArgumentKind::Toggle, .defaultText = "on"},
+    {.key = "pitch", .label = "Pitch", .kind = ArgumentKind::Toggle, .defaultText = "on"},
+    {.key = "yaw", .label = "Yaw", .kind = ArgumentKind::Toggle, .defaultText = "on"},
+    {.key = "angle", .label = "Turn by", .kind = ArgumentKind::Integer, .min = 20, .max = 360, .unit = "°", .defaultText = "40"},
+    {.key = "smooth", .label = "Smoothing", .kind = ArgumentKind::Integer, .min = 0, .max = 100, .unit = "%", .defaultText = "50"},
+    {.key = "iterations", .label = "Passes", .kind = ArgumentKind::Integer, .min = 2, .max = 20, .defaultText = "3"}};
+constexpr EntryEffect kRippleEntries[] = {{.value = 2, .risk = ActionRisk::Writes, .isShown = false, .argument = "action"}};
+constexpr ArgumentSpec kTuneArguments[] = {
+    {.key = "roll", .label = "Roll", .kind = ArgumentKind::Toggle, .defaultText = "on"},
+    {.key = "pitch", .label = "Pitch", .kind = ArgumentKind::Toggle, .defaultText = "on"},
+    {.key = "yaw", .label = "Yaw", .kind = ArgumentKind::Toggle, .defaultText = "on"},
+    {.key = "gain", .label = "Gain against stability", .kind = ArgumentKind::Integer, .min = 0, .max = 255, .defaultText = "128"},
+    {.key = "stimulus", .label = "Strength of the stimulus", .kind = ArgumentKind::Integer, .min = 1, .max = 65535, .defaultText = "300"},
+    {.key = "notches", .label = "Notch filters to find", .kind = ArgumentKind::Integer, .min = 0, .max = 3, .defaultText = "0"},
+    {.key = "lpf", .label = "Tune the low-pass filter", .kind = ArgumentKind::Toggle, .defaultText = "off"},
+    {.key = "keep", .label = "Start from current gains", .kind = ArgumentKind::Toggle, .defaultText = "off"},
+    {.key = "save", .label = "Store the result", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
+// The last argument of these came with later firmware than the action.
+constexpr std::pair<std::span<const ArgumentSpec>, int> kLaterArguments[] = {
+    {kSteerArguments, 2680}, {kChannelArguments, 2687}, {kReadVariables, 2734}};
 constexpr ArgumentSpec kSetArguments[] = {
     {.key = "action", .label = "What to do", .kind = ArgumentKind::Choice, .choices = kSetActions},
     {.key = "slot", .label = "Slot", .kind = ArgumentKind::Choice, .choices = kSetSlots}};
@@ -217,6 +280,11 @@ constexpr ReplyUnit kStatisticsUnits[] = {
     {"time", "s"}, {"energy", "Wh"}, {"average", "A"}};
 constexpr ReplyUnit kByteUnits[] = {{"bytes", "bytes"}, {"written", "bytes"}, {"differing", "bytes"}};
 constexpr ReplyUnit kResetUnits[] = {{"restarts_in", "ms"}};
+constexpr ReplyUnit kReferenceUnits[] = {{"acc", "g"}};
+constexpr ReplyUnit kKnownUnits[] = {{"progress", "%"}, {"acc", "g"}, {"temperature", "°C"}};
+constexpr ReplyUnit kResponseUnits[] = {{"frequency", "Hz"}, {"gain", "dB"}};
+constexpr ReplyUnit kLiveUnits[] = {{"gyro", "°/s"}, {"acc", "g"}, {"magnetometer", ""}, {"frame", "°"}, {"error", "°"}};
+constexpr ReplyUnit kErrorUnits[] = {{"error", "°"}};
 constexpr ReplyUnit kTuningUnits[] = {{"error", "°"}, {"lpf", "Hz"}};
 
 constexpr ActionSpec kActions[] = {
@@ -241,6 +309,18 @@ constexpr ActionSpec kActions[] = {
     {.key = "steer", .label = "Steer", .help = "Moves the camera for a time, then gives control back.",
      .group = "Motion", .risk = ActionRisk::Moves, .arguments = kSteerArguments, .isProcedure = true,
      .units = kAngleUnits},
+    {.key = "steer.attitude", .label = "Steer to an attitude",
+     .help = "Turns the camera to an attitude about one axis in space, the short way, then gives control back.",
+     .group = "Motion", .risk = ActionRisk::Moves, .arguments = kAttitudeTarget, .isProcedure = true, .since = 2730, .units = kAngleUnits},
+    {.key = "steer.state", .label = "Read control of the attitude", .help = "Where the attitude is steered to, how far it is, and at what speed.",
+     .group = "Read", .since = 2730, .units = kAngleUnits},
+    {.key = "steer.limits", .label = "Limit steering",
+     .help = "How fast steering may speed up, and whether it ends where no command comes any more. Until the next start.",
+     .group = "Motion", .risk = ActionRisk::Moves, .arguments = kSteeringLimits, .since = 2600, .isShown = false},
+    {.key = "response", .label = "Measure frequency response",
+     .help = "The board shakes an axis and tells what went in and what came out; the file opens on the page Response.",
+     .group = "Motion", .risk = ActionRisk::Moves, .arguments = kResponseArguments, .isProcedure = true, .since = 2600, .capability = "bode",
+     .confirm = "The camera is balanced and can turn freely", .units = kResponseUnits, .endedBy = "motors.off"},
     {.key = "profile.select", .label = "Use profile", .help = "Makes a profile the active one.", .group = "Profiles",
      .risk = ActionRisk::Moves, .arguments = kProfileArguments, .memory = MemoryEffect::Reloads},
     {.key = "variables.write", .label = "Set adjustable variable",
@@ -257,6 +337,21 @@ constexpr ActionSpec kActions[] = {
              "of six positions: for those the motors are switched off and left off, so hold the camera.",
      .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kAccArguments, .isProcedure = true,
      .units = kStillnessUnits, .entries = kCalibrationEntries},
+    {.key = "calibrate.acc_reference", .label = "Accelerometer by reference",
+     .help = "Tells the board what its accelerometer measures in this position, which another sensor knows.",
+     .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kReferenceArguments, .isProcedure = true, .since = 2600,
+     .units = kReferenceUnits},
+    {.key = "calibration", .label = "Read calibration of a sensor",
+     .help = "What a sensor measures, in which positions it was calibrated, and at which temperatures.", .group = "Read",
+     .arguments = std::span(kAccArguments).first(1), .since = 2600, .units = kKnownUnits},
+    {.key = "references", .label = "Read references of the sensors", .help = "What holds attitude and heading of each sensor, and how far off it is.",
+     .group = "Read", .since = 2600, .units = kErrorUnits},
+    {.key = "live", .label = "Read further live data", .help = "Angles and motion of the frame, and how far each axis is off its target.",
+     .group = "Read", .since = 2740, .units = kLiveUnits},
+    {.key = "events", .label = "Follow events", .help = "What the board tells of by itself: motors, emergency stops, scripts, buttons, the camera.",
+     .group = "Read", .arguments = kEventArguments, .isProcedure = true, .since = 2657},
+    {.key = "variables.list", .label = "List adjustable variables", .help = "The board's own names, with range and value in use.",
+     .group = "Read", .since = 2700},
     {.key = "calibrate.battery", .label = "Calibrate voltage sensor",
      .help = "Tells the board the true battery voltage.", .group = "Calibration", .risk = ActionRisk::Writes,
      .arguments = kBatteryArguments, .capability = "battery", .units = kBatteryUnits},
@@ -266,6 +361,10 @@ constexpr ActionSpec kActions[] = {
     {.key = "autotune", .label = "Auto-tune PID", .help = "The board searches gains by moving the camera.",
      .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kAutoTuneArguments, .isProcedure = true,
      .memory = MemoryEffect::ChangesInUse, .units = kTuningUnits, .endedBy = "autotune.stop"},
+    {.key = "autotune.by_axis", .label = "Auto-tune by axis",
+     .help = "The newer search of gains: its settings stay in the board. It moves the camera, and reports nothing on its way.",
+     .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kTuneArguments, .isProcedure = true, .since = 2730,
+     .memory = MemoryEffect::ChangesInUse, .confirm = "The camera is balanced and can turn freely", .endedBy = "autotune.stop"},
     {.key = "autotune.stop", .label = "Stop auto-tune",
      .help = "Ends a search of gains that may still be going on, and proves it.", .group = "Calibration"},
     {.key = "calibrate.poles", .label = "Find poles and direction",
@@ -276,6 +375,10 @@ constexpr ActionSpec kActions[] = {
      .help = "The board moves each motor to measure how stiffly its magnets hold.", .group = "Calibration",
      .risk = ActionRisk::Writes, .isProcedure = true, .since = 2560,
      .confirm = "The camera is balanced and can turn freely"},
+    {.key = "calibrate.cogging", .label = "Learn cogging of motors",
+     .help = "The board turns each motor slowly and learns the ripple of its magnets, which it then takes out; or it forgets it.",
+     .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kRippleArguments, .isProcedure = true, .since = 2600,
+     .confirm = "The camera is balanced and can turn freely", .entries = kRippleEntries, .endedBy = "motors.off"},
     {.key = "calibrate.encoder_field", .label = "Find fields of encoders",
      .help = "The board turns each motor there and back to find where its magnets stand against the encoder. A wrong value makes the "
              "motor weak, or it runs away.",
@@ -298,6 +401,8 @@ constexpr ActionSpec kActions[] = {
      .risk = ActionRisk::Moves, .arguments = kPinArguments, .isShown = false},
     {.key = "servo", .label = "Set servo outputs", .help = "Pulses at the servo pins; 0 holds a pin low, -1 frees it.",
      .group = "Signals", .risk = ActionRisk::Moves, .arguments = kServoArguments, .answered = false},
+    {.key = "servo.single", .label = "Set one servo output", .help = "A pulse at one output, also of a CAN driver; 0 holds it low, -1 frees it.",
+     .group = "Signals", .risk = ActionRisk::Moves, .arguments = kSingleServo, .since = 2732, .answered = false},
     {.key = "signals", .label = "Read signals", .help = "What comes in at the inputs that functions are mapped to.",
      .group = "Signals", .since = 2600, .units = kSignalUnits},
     {.key = "inputs", .label = "Read inputs", .help = "What comes in at all inputs, whether a function is mapped to them or not. Firmware before 2.60 tells of those alone that have one.",
@@ -307,6 +412,8 @@ constexpr ActionSpec kActions[] = {
      .memory = MemoryEffect::ChangesInUse, .answered = false},
     {.key = "statistics", .label = "Read statistics", .help = "Hours of work, starts, shocks, currents and temperatures that the board counts.",
      .group = "Read", .since = 2600, .units = kStatisticsUnits},
+    {.key = "statistics.reset", .label = "Reset statistics", .help = "What the board counts begins at zero again.",
+     .group = "Board", .risk = ActionRisk::Writes, .since = 2600, .units = kStatisticsUnits},
     {.key = "profile_set", .label = "Profile sets", .help = "Stores all five profiles in a slot of the board, loads or clears it.",
      .group = "Profiles", .risk = ActionRisk::Destroys, .arguments = kSetArguments, .since = 2620, .entries = kSetEntries},
     {.key = "external.read", .label = "Read user data", .help = "128 bytes that the board keeps for others.", .group = "Memory"},
@@ -389,6 +496,10 @@ std::vector<ActionSpec> availableActions(const BoardIdentity &identity)
         list.push_back(action);
         if (action.arguments.data() == kMenuArguments)
             list.back().arguments = menuArguments(identity.firmwareNumber);
+        for (const auto &[arguments, since] : kLaterArguments) {
+            if (action.arguments.data() == arguments.data() && identity.firmwareNumber < since)
+                list.back().arguments = arguments.first(arguments.size() - 1);
+        }
     }
     return list;
 }

@@ -43,7 +43,7 @@ Result<ActionReply> Actions::selectImu(const QVariantMap &arguments)
         return reply;
     // A board without that sensor ignores it (document SELECT_IMU_3).
     const auto isUsed = holdsWithin(
-        m_channel, Device::statusRequest(), kSwitched, [wanted](const Frame &status) {
+        m_channel, m_device.statusRequest(), kSwitched, [wanted](const Frame &status) {
             return status.payload.size() > kUsedImuOffset && quint8(status.payload[kUsedImuOffset]) == wanted;
         });
     if (!isUsed)
@@ -78,7 +78,7 @@ Result<ActionReply> Actions::setChannel(const QVariantMap &arguments)
 {
     std::vector<double> signal(std::size_t(arguments.value(u"channel"_s).toInt()), std::nan(""));
     signal.back() = arguments.value(u"value"_s).toDouble();
-    const ControlFrames frames = Device::channelFrames(signal);
+    const ControlFrames frames = Device::channelFrames(signal, arguments.value(u"fine"_s).toBool());
     const TimePoint end = m_channel.now() + durationFromSeconds(arguments.value(u"seconds"_s).toDouble());
     Result<void> slept;
     while (slept && m_channel.now() < end) {

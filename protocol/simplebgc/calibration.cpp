@@ -5,6 +5,7 @@
 #include "protocol/base/linkloss.h"
 #include "protocol/session/carryout.h"
 #include "protocol/simplebgc/actions.h"
+#include "protocol/simplebgc/messages.h"
 #include "protocol/simplebgc/parametertables.h"
 #include "protocol/simplebgc/telemetrytables.h"
 #include "protocol/simplebgc/units.h"
@@ -208,8 +209,7 @@ Result<Actions::Stillness> Actions::measureStillness()
     std::array<double, 6> first{};
     bool isFrozen = true;
     for (int sample = 0; sample < kStillnessSamples; ++sample) {
-        const auto frame = m_channel.transact(replyRequest(
-            CommandId::RealtimeData3, {}, CommandId::RealtimeData3, kRealtime3Size, Device::kVersion));
+        const auto frame = m_channel.transact(m_device.statusRequest());
         if (!frame)
             return tl::unexpected(frame.error());
         if (isBlind(*frame))
@@ -265,7 +265,7 @@ Result<ActionReply> Actions::calibrateBattery(const QVariantMap &arguments)
         return confirmed;
     double measured = std::numeric_limits<double>::quiet_NaN();
     const auto isTaken
-        = holdsWithin(m_channel, Device::statusRequest(), kVoltageTaken, [&](const Frame &status) {
+        = holdsWithin(m_channel, m_device.statusRequest(), kVoltageTaken, [&](const Frame &status) {
               ByteReader reader(status.payload);
               reader.skip(kVoltageOffset);
               measured = reader.u16() * 0.01;
@@ -326,6 +326,8 @@ Result<ActionReply> Actions::stopAutoTune(const QVariantMap &)
     const auto confirmed = m_channel.transact(stopSearchRequest());
     if (!confirmed && confirmed.error().code != ErrorCode::Timeout)
         return tl::unexpected(confirmed.error());
+    if (m_device.m_identity.firmwareNumber >= kTuneByAxisSince)
+        m_channel.post(stopTuningByAxisRequest());
     if (const auto slept = m_channel.sleep(kReportOnItsWay); !slept)
         return tl::unexpected(slept.error());
     const auto searching = isSearching();

@@ -128,6 +128,9 @@ inline constexpr Choice kPorts[] = {{0, "Off"}, {1, "UART1"}, {2, "RC serial"}, 
 inline constexpr Choice kPinNames[] = {{1, "RC_ROLL"}, {2, "RC_PITCH"}, {3, "FC_ROLL"}, {4, "FC_PITCH"}, {5, "RC_YAW"}, {16, "AUX1"},
                                 {17, "AUX2"}, {18, "AUX3"}, {32, "buzzer"}, {33, "spektrum-power"}};
 inline constexpr Choice kMotorNames[] = {{kAllMotors, "all"}, {0, "roll"}, {1, "pitch"}, {2, "yaw"}};
+/// Of BODE_TEST_START_STOP, as the public Python library that the errata cite has them.
+inline constexpr Choice kTestedSystems[] = {{135, "whole-loop"}, {7, "open-loop"}, {70, "plant"}, {198, "plant-closed"}, {3, "controller"}, {11, "overall"}};
+inline constexpr Choice kStimuli[] = {{1, "noise"}, {2, "sweep"}, {3, "exponential-sweep"}};
 inline constexpr Choice kPinStates[] = {{0, "low"}, {1, "high"}, {2, "floating"}};
 inline constexpr Choice kSetActions[] = {{1, "store"}, {2, "clear"}, {3, "load"}};
 inline constexpr Choice kFileTypes[] = {{1, "script"}, {3, "imu-calibration"}, {4, "cogging"}, {5, "look-up-table"}, {6, "profile-set"},

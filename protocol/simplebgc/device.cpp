@@ -30,21 +30,6 @@ constexpr int kActiveProfileOffset = 59;  // of REALTIME_DATA_3
 constexpr int kMotorFlagOffset = 57;  // of REALTIME_DATA_3: bit 0, the motors run
 constexpr int kLiveRetries = 1;
 
-struct BlockCommands
-{
-    CommandId read;
-    CommandId write;
-};
-// clang-format off
-constexpr std::array<BlockCommands, BlockCount> kBlockCommands{{
-    {CommandId::ReadParams3, CommandId::WriteParams3},
-    {CommandId::ReadParamsExt, CommandId::WriteParamsExt},
-    {CommandId::ReadParamsExt2, CommandId::WriteParamsExt2},
-    {CommandId::ReadParamsExt3, CommandId::WriteParamsExt3},
-    {CommandId::ReadAdjVarsCfg, CommandId::WriteAdjVarsCfg},
-}};
-// clang-format on
-
 // EXECUTE_MENU numbers of "use profile 1..5" (errata 4.1).
 constexpr std::array<int, kProfileCount> kProfileActions{1, 2, 3, 14, 15};
 
@@ -211,6 +196,13 @@ Result<BoardIdentity> Device::identify(Channel &channel)
         }
     }
 
+    m_isFirst = false;
+    if (!more && !channel.observation().isReplayed) {
+        const auto first = isOfTheFirst(channel);
+        if (!first)
+            return tl::unexpected(first.error());
+        m_isFirst = *first;
+    }
     m_identity = identity;
     m_parameters = parametersOf(identity);
     m_steeringModes = steeringModes(identity.firmwareNumber);
@@ -263,21 +255,15 @@ Result<Configuration> Device::readConfiguration(Channel &channel)
             const bool isAbsent = profile > 0 && m_identity.firmwareNumber < kBlocks[block].since
                 && configuration.block({0, block}).isEmpty();
             const bool isUnknown = m_identity.firmwareNumber < kBlocks[block].since && block == ParamsExt3;
-            if (isAbsent || isUnknown || (block == AdjVarsCfg && profile > 0))
+            if (isAbsent || isUnknown || (m_isFirst && block != Params3)
+                || (block == AdjVarsCfg && profile > 0))
                 continue;
             if (const auto done = read({profile, block}); !done)
                 return tl::unexpected(done.error());
         }
     }
-    auto names = readProfileNames(channel);
-    if (!names && isUnanswered(names.error()))
-        names = readProfileNames(channel);
-    if (names)
-        configuration.setProfileNames(*names);
-    else if (isPartial(names.error()))
-        configuration.addMissing({0, MissingPart::kProfileNames}, names.error());
-    else
-        return tl::unexpected(names.error());
+    if (const auto named = addProfileNames(channel, configuration); !named)
+        return tl::unexpected(named.error());
     // What a bad line has lost is asked for once more; a block that never comes is not waited for again and
     // again.
     silent = 0;
@@ -302,6 +288,22 @@ Result<Configuration> Device::readConfiguration(Channel &channel)
     return tl::unexpected(configuration.findMissing({0, Params3})->why);
 }
 
+Result<void> Device::addProfileNames(Channel &channel, Configuration &configuration)
+{
+    if (m_isFirst)
+        return {};
+    auto names = readProfileNames(channel);
+    if (!names && isUnanswered(names.error()))
+        names = readProfileNames(channel);
+    if (names)
+        configuration.setProfileNames(*names);
+    else if (isPartial(names.error()))
+        configuration.addMissing({0, MissingPart::kProfileNames}, names.error());
+    else
+        return tl::unexpected(names.error());
+    return {};
+}
+
 Result<QByteArray> Device::readBlock(Channel &channel, BlockKey key)
 {
     return askBlock(channel, key, kRetries);
@@ -310,7 +312,7 @@ Result<QByteArray> Device::readBlock(Channel &channel, BlockKey key)
 Result<QByteArray> Device::askBlock(Channel &channel, BlockKey key, int retries)
 {
     const BlockSpec &block = kBlocks[key.block];
-    const CommandId command = kBlockCommands[std::size_t(key.block)].read;
+    const CommandId command = readCommand(key.block);
     Request request = key.block == AdjVarsCfg
         ? replyRequest(command, {}, command, block.size, kVersion)
         : replyRequest(command, ByteWriter().u8(key.profile).take(), command, block.size, kVersion,
@@ -334,7 +336,7 @@ Result<QByteArray> Device::askBlock(Channel &channel, BlockKey key, int retries)
 
 Result<void> Device::writeBlock(Channel &channel, BlockKey key, const QByteArray &bytes)
 {
-    Request request = confirmRequest(kBlockCommands[std::size_t(key.block)].write, bytes, kVersion);
+    Request request = confirmRequest(writeCommand(key.block), bytes, kVersion);
     request.timeout = kWriteTimeout;
     // Writing the same bytes again does no harm, so the command may be repeated if its confirmation is lost.
     request.idempotent = true;
@@ -376,11 +378,6 @@ Result<void> Device::selectProfile(Channel &channel, int profile)
     }
     return failure(ErrorCode::NoEffect,
                    u"profile %1 was to be used, profile %2 is"_s.arg(profile + 1).arg(used + 1));
-}
-
-Request Device::statusRequest()
-{
-    return replyRequest(CommandId::RealtimeData3, {}, CommandId::RealtimeData3, kRealtime3Size, kVersion);
 }
 
 std::optional<bool> Device::areMotorsRunning(const Frame &frame)

@@ -98,7 +98,9 @@ public:
     [[nodiscard]] SteeringSetpoint holdingSetpoint(int mode, const LatestValues &latest,
                                                    SteeredBefore steeredBefore) const override;
     [[nodiscard]] ControlFrames controlFrames(const SteeringSetpoint &setpoint) const override;
-    [[nodiscard]] static ControlFrames channelFrames(const std::vector<double> &percents);
+    /// @param isFine as API_VIRT_CH_HIGH_RES takes them
+    [[nodiscard]] static ControlFrames channelFrames(const std::vector<double> &percents,
+                                                     bool isFine = false);
 
     [[nodiscard]] const MotorSwitch *motorSwitch() const override { return this; }
     Result<void> switchMotorsOn(Channel &channel) const override;
@@ -107,7 +109,7 @@ public:
     /// Which profile, from 0, an entry of the board's menu makes the active one; -1 = none.
     [[nodiscard]] static int profileOf(int menuCommand);
     /// Asks for REALTIME_DATA_3.
-    [[nodiscard]] static Request statusRequest();
+    [[nodiscard]] Request statusRequest() const;
     /// What the answer to it says; nothing for another frame.
     [[nodiscard]] static std::optional<bool> areMotorsRunning(const Frame &frame);
 
@@ -151,8 +153,8 @@ public:
         double angle = 0;  ///< degrees, or the mode's own unit
     };
     using Control = std::array<AxisControl, kAxisCount>;
-    /// Each axis may be steered in its own mode.
-    [[nodiscard]] ControlFrames controlFrames(const Control &control) const;
+    /// Each axis may be steered in its own mode. @param isFine by CONTROL_EXT
+    [[nodiscard]] ControlFrames controlFrames(const Control &control, bool isFine = false) const;
     /// Ranges of a mode of CONTROL with this firmware; null if it does not have that mode.
     [[nodiscard]] const SteeringMode *steeringMode(int mode) const { return Steering::mode(mode); }
 
@@ -164,6 +166,10 @@ private:
     [[nodiscard]] static std::vector<Request> adjustableRequests(const std::vector<AdjustableValue> &values);
     Result<void> sendAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) const;
     Result<QByteArray> askBlock(Channel &channel, BlockKey key, int retries);
+    [[nodiscard]] Result<bool> isOfTheFirst(Channel &channel) const;
+    Result<void> addProfileNames(Channel &channel, Configuration &configuration);
+    [[nodiscard]] CommandId readCommand(int block) const;
+    [[nodiscard]] CommandId writeCommand(int block) const;
     Result<void> checkIdentity(Channel &channel) const;
     [[nodiscard]] static Error otherIdentity(const BoardInfo &now, const QString &model,
                                              const QString &firmware);
@@ -171,6 +177,7 @@ private:
     [[nodiscard]] bool steersTogether() const { return m_identity.firmwareNumber < 2555; }
     [[nodiscard]] bool canStream() const { return m_identity.firmwareNumber >= 2590; }
     [[nodiscard]] ControlCommand encodeControl(const Control &control) const;
+    [[nodiscard]] static QByteArray encodeControlExt(const Control &control);
     [[nodiscard]] static Request probeRequest();
     Result<TelemetryPlan> startPolling(Channel &channel, std::optional<LineSettings> line);
     void stopStreams(Channel &channel);
@@ -179,6 +186,7 @@ private:
     Result<void> setStream(Channel &channel, const DataStream &stream);
 
     static constexpr int kVersion = 1;  // frame version: never mixed on one connection (errata 1.3)
+    bool m_isFirst = false;  // it knows only the first boards' commands
     std::optional<BoardInfo> m_probed;  // what it said before it was identified
     BoardIdentity m_identity;
     std::shared_ptr<const ParameterSet> m_parameters;

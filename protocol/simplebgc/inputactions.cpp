@@ -141,7 +141,7 @@ Result<Frame> Actions::askInputs(const QByteArray &question, int count)
 // Older firmware tells of those inputs alone that a function is mapped to.
 Result<ActionReply> Actions::readReportedInputs()
 {
-    const auto status = m_channel.transact(Device::statusRequest());
+    const auto status = m_channel.transact(m_device.statusRequest());
     const auto active = status ? m_device.activeProfile(m_channel) : tl::unexpected(status.error());
     const auto block = active ? m_device.readBlock(m_channel, {*active, Params3})
                               : Result<QByteArray>(tl::unexpected(active.error()));

@@ -16,7 +16,7 @@ namespace simplebgc {
 
 std::span<const AdjustableSpec> Device::adjustables() const
 {
-    return adjustablesOf(m_identity.firmwareNumber);
+    return m_isFirst ? std::span<const AdjustableSpec>() : adjustablesOf(m_identity.firmwareNumber);
 }
 
 std::vector<NotchFilter> Device::notchesOf(Axis axis) const

@@ -92,6 +92,8 @@ struct MessageSpec
 inline constexpr int kLater = 2600;
 /// Newer than any.
 inline constexpr int kAnyFirmware = 99999;
+/// The first firmware with AUTO_PID2.
+inline constexpr int kTuneByAxisSince = 2730;
 
 [[nodiscard]] std::span<const MessageSpec> messages();
 /// Null: no such number.

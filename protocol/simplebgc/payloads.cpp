@@ -407,14 +407,16 @@ QByteArray encodeBeep(int mode, int noteLength, int decay, const QList<int> &not
     return writer.take();
 }
 
-QByteArray encodeChannels(const std::vector<double> &percents)
+QByteArray encodeChannels(const std::vector<double> &percents, bool isFine)
 {
     constexpr std::size_t kChannels = 31;
-    constexpr int kNobody = -10000;
+    const int nobody = isFine ? -32768 : -10000;
+    const double full = isFine ? 16384 : 500;
     ByteWriter writer;
     for (std::size_t i = 0; i < kChannels; ++i) {
         const bool isGiven = i < percents.size() && !std::isnan(percents[i]);
-        writer.i16(isGiven ? int(std::lround(5 * std::clamp(percents[i], -100.0, 100.0))) : kNobody);
+        const double share = isGiven ? std::clamp(percents[i], -100.0, 100.0) / 100 : 0;
+        writer.i16(isGiven ? int(std::lround(full * share)) : nobody);
     }
     return writer.take();
 }

@@ -191,6 +191,6 @@ struct DataStream
 
 /// Channels of API_VIRT_CH_CONTROL in percent of their way (errata 3.23); those that are NaN or behind the
 /// last one are given by nobody. 31 are sent: of 32 the last cannot be a source (errata 4.3).
-[[nodiscard]] QByteArray encodeChannels(const std::vector<double> &percents);
+[[nodiscard]] QByteArray encodeChannels(const std::vector<double> &percents, bool isFine = false);
 
 }  // namespace simplebgc

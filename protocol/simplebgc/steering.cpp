@@ -183,9 +183,36 @@ ControlCommand Device::encodeControl(const Control &control) const
     return command;
 }
 
-ControlFrames Device::controlFrames(const Control &control) const
+// What is not named goes on as before (errata 3.14).
+QByteArray Device::encodeControlExt(const Control &control)
 {
-    const auto frame = [this](const Control &wanted) {
+    constexpr double kTurn = 1 << 20;
+    constexpr unsigned kSpeedBits = 1 | 8;  // there, and in 32 bits
+    unsigned set = 0;
+    ByteWriter axes;
+    for (std::size_t axis = 0; axis < control.size(); ++axis) {
+        const AxisControl &wanted = control[axis];
+        if (wanted.mode == NoControl || wanted.mode == Ignore)
+            continue;
+        const bool isRc = wanted.mode == Rc || wanted.mode == RcHighRes;
+        const unsigned angleBits = wanted.mode == Speed ? 0 : isRc ? 2 : 2 | 4;
+        set |= ((isRc ? 0 : kSpeedBits) | angleBits) << (5 * axis);
+        axes.u8(wanted.mode).u8(0);
+        if (!isRc)
+            axes.i32(qint32(std::lround(wanted.speed / kFineSpeedUnit)));
+        if (isRc)
+            axes.i16(toCount16(wanted.angle, 1.0));
+        else if (angleBits)
+            axes.i32(qint32(std::lround(wanted.angle / 360 * kTurn)));
+    }
+    return ByteWriter().u16(int(set)).bytes(axes.take()).take();
+}
+
+ControlFrames Device::controlFrames(const Control &control, bool isFine) const
+{
+    const auto frame = [this, isFine](const Control &wanted) {
+        if (isFine)
+            return encodeFrame(number(CommandId::ControlExt), encodeControlExt(wanted), kVersion);
         const ControlCommand command = encodeControl(wanted);
         return encodeFrame(number(CommandId::Control),
                            steersTogether() ? encodeControlShort(command) : simplebgc::encodeControl(command),
@@ -213,10 +240,11 @@ ControlFrames Device::controlFrames(const Control &control) const
 
 // At the end nobody gives them any more, which the board treats as signals that are lost. No answer tells
 // that it did.
-ControlFrames Device::channelFrames(const std::vector<double> &percents)
+ControlFrames Device::channelFrames(const std::vector<double> &percents, bool isFine)
 {
-    const auto frame = [](const std::vector<double> &given) {
-        return encodeFrame(number(CommandId::ApiVirtChControl), encodeChannels(given), kVersion);
+    const auto frame = [isFine](const std::vector<double> &given) {
+        return encodeFrame(number(isFine ? CommandId::ApiVirtChHighRes : CommandId::ApiVirtChControl),
+                           encodeChannels(given, isFine), kVersion);
     };
     ControlFrames frames;
     frames.setpoint = frame(percents);

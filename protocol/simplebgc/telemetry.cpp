@@ -210,17 +210,18 @@ Result<void> Device::setStream(Channel &channel, const DataStream &stream)
     return {};
 }
 
-// Firmware without streams: REALTIME_DATA_4 if it has that, otherwise _3, as often as the line allows.
+// Firmware without streams: REALTIME_DATA_4 if it has that, otherwise its status, as often as the line
+// allows.
 Result<TelemetryPlan> Device::startPolling(Channel &channel, std::optional<LineSettings> line)
 {
-    const auto extended = channel.transact(
-        replyRequest(CommandId::RealtimeData4, {}, CommandId::RealtimeData4, kRealtime4Size, kVersion));
+    const Request whole
+        = replyRequest(CommandId::RealtimeData4, {}, CommandId::RealtimeData4, kRealtime4Size, kVersion);
+    const auto extended = channel.transact(whole);
     if (!extended && extended.error().code != ErrorCode::Timeout
         && extended.error().code != ErrorCode::BoardError)
         return tl::unexpected(extended.error());
-    const CommandId id = extended ? CommandId::RealtimeData4 : CommandId::RealtimeData3;
     TelemetryPlan plan;
-    plan.poll = replyRequest(id, {}, id, extended ? kRealtime4Size : kRealtime3Size, kVersion);
+    plan.poll = extended ? whole : statusRequest();
     plan.poll->retries = 0;
     plan.pollInterval = kPollInterval;
     plan.rate = 1000.0 / double(kPollInterval.count());

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/analysis/spectrum.h"
-#include "protocol/record/responsecsv.h"
+#include "protocol/base/responsecsv.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "tests/bench/report.h"
 #include "tests/support/virtualboard.h"

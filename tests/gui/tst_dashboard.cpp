@@ -226,7 +226,7 @@ void TestDashboard::oneLimitOfTheBattery()
 void TestDashboard::frameIsShownWhereItIsMeasured()
 {
     WindowRig rig;
-    QVERIFY(rig.open(kDemo));
+    QVERIFY(rig.open(kDemo + u"?frame-imu=1"_s));
     auto *page = rig.page<DashboardPage>();
     auto *gimbal = only<GimbalView>(page);
     QTRY_VERIFY(!std::isnan(gimbal->pose().camera[0]));

@@ -4,9 +4,9 @@
 // nothing of them is taken.
 #include "app/composition/composition.h"
 #include "protocol/base/filefault.h"
+#include "protocol/base/responsecsv.h"
 #include "protocol/record/configurationformats.h"
 #include "protocol/record/recording.h"
-#include "protocol/record/responsecsv.h"
 #include "tests/support/patience.h"
 #include "widgets/models/errortext.h"
 #include "widgets/plot/plotlayout.h"

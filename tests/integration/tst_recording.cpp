@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/composition/composition.h"
+#include "protocol/base/responsecsv.h"
 #include "protocol/client/deviceclient.h"
 #include "protocol/device/abilities.h"
 #include "protocol/record/recorder.h"
 #include "protocol/record/replaystore.h"
 #include "protocol/record/replaytransport.h"
-#include "protocol/record/responsecsv.h"
 #include "protocol/session/linkstatistics.h"
 #include "protocol/telemetry/streams.h"
 #include "protocol/telemetry/telemetrystore.h"

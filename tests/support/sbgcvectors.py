@@ -239,7 +239,23 @@ row('AUTO_PID2', '>', p('BH8x', 5, 0), 'action=5 command.send=0')
 row('AUTO_PID2', '>', p('BH8x', 6, 1), 'action=6 command.send=1')
 row('AUTO_PID2', '<', tune2, tune2told)
 row('BODE_TEST_START_STOP', '>', p('BBHHBIBH16x', 1, 0, 100, 200, 2, 5000, 1, 3), 'axis=1 gain=100 end=200 system=2 samples=5000 mode=1 start=3')
+row('BODE_TEST_START_STOP', '<', p('IHB15x', 5000, 8, 0), 'samples=5000 code=8 mode=0')
 row('BODE_TEST_DATA', '<', p('B4f4H', 1, -1, -2, 3, 4, 0, 1, 65534, 2), 'counter=1 in.min=-1 out.max=4 sample1.in=0 sample2.in=65534 sample2.out=2')
+
+# --- what actions send (tst_sbgclater) ---
+row('CONTROL_CONFIG', '>', p('H5x', 500) + b''.join(p('3xH2x', a) for a in (50, 0, 900)) + bytes(13),
+    'timeout=500 roll.acceleration=50 pitch.acceleration=0 yaw.acceleration=900 expo=0 flags=0')
+row('CONTROL_QUAT_CONFIG', '>', p('H3H3H', 3, 246, 246, 246, 100, 100, 100), f'set.speed=1 set.acceleration=1 speed.y={246 * SPEED} acceleration.z=100')
+row('CONTROL_QUAT', '>', p('BB4f', 2, 1, 0.75 ** 0.5, 0, 0.5, 0), 'mode=2 flags.confirm=1 attitude.y=0.5')
+row('CONTROL_QUAT_STATUS', '>', p('I', 0x7f), 'set.mode=1 set.actual.speed=1 set.target.packed=0')
+row('BODE_TEST_START_STOP', '>', p('BBHHBIBH16x', 2, 2, 1500, 150, 70, 5000, 0, 20), 'axis=2 type=2 gain=1500 end=150 system=70 samples=5000 start=20')
+row('CALIB_ACC_EXT_REF', '>', p('3h14x', 256, -256, 358), f'acc.x=0.5 acc.y=-0.5 acc.z={358 / 512}')
+row('CALIB_COGGING', '>', p('BB', 2, 4) + b''.join(p('HBBH9x', 40, 50, 0, 0) for _ in range(3)) + p('B9x', 3), 'action=2 axes=4 yaw.angle=40 iterations=3')
+row('SERVO_OUT_EXT', '>', p('Ih', 1 << 17, 1200), 'mask=131072 servo1=1200')
+row('GET_ADJ_VARS_VAL_F', '>', b'\x02\x00\x03', 'count=2 id1=0 id2=3')
+row('CALIB_INFO', '>', p('B11x', 2), 'imu=2')
+row('REALTIME_DATA_CUSTOM2', '>', p('I6x', 0x80000057), f'flags={0x80000057}')
+row('AUTO_PID2', '>', p('BH8x', 6, 0), 'action=6 command.send=0')
 
 # --- pins, sound, memory, files, scripts ---
 row('TRIGGER_PIN', '>', b'\x10\x01', 'pin=16 state=1')

@@ -866,7 +866,7 @@ void TestInSpite::anOldOrFrozenAnswerProvesNoStop()
 {
     VirtualBoard bench;
     QVERIFY(bench.identify());
-    const auto status = [&] { return *bench.channel.transact(simplebgc::Device::statusRequest()); };
+    const auto status = [&] { return *bench.channel.transact(bench.device.statusRequest()); };
     bench.board().stabilizer().setMotorsOn(false);
     const Frame off = status();
     QVERIFY(bench.channel.sleep(100ms));
@@ -888,7 +888,7 @@ void TestInSpite::aTurningCameraDoesNotStand()
     VirtualBoard bench;
     QVERIFY(bench.identify());
     bench.board().stabilizer().setMotorsOn(true);
-    Frame frame = *bench.channel.transact(simplebgc::Device::statusRequest());
+    Frame frame = *bench.channel.transact(bench.device.statusRequest());
     constexpr double kNone = ControlFrames::kUnknown;
     const ControlFrames frames = bench.device.controlFrames(SteeringSetpoint{1, {kNone, kNone, 20}, {}});
     QCOMPARE(frames.fromAnswer(frame), Proof::Nothing);

@@ -326,7 +326,8 @@ void TestPlant::handShakesLikeAHand()
 void TestPlant::autoPidFindsGainsThatHold()
 {
     Bench bench;
-    simplebgc::AutoPidSearch search({true, true, true}, {{{8, 2, 8, 0}, {8, 2, 8, 0}, {8, 2, 8, 0}}}, 128);
+    simplebgc::AutoPidSearch search({true, true, true}, {{{8, 2, 8, 0}, {8, 2, 8, 0}, {8, 2, 8, 0}}},
+                                    {128, 128, 128});
     int cycles = 0;
     for (; !search.isFinished() && cycles < 100000; ++cycles) {
         for (const Axis axis : kAxes)

@@ -48,7 +48,7 @@ private:
 // What the simulated board has otherwise than the factory's defaults.
 bool isOfTheSimulator(const QString &key)
 {
-    return key == u"imu.skip_gyro_calibration"_s || key == u"imu.frame.position"_s;
+    return key == u"imu.skip_gyro_calibration"_s;
 }
 
 }  // namespace
@@ -245,11 +245,13 @@ void TestSbgcDevice::readsEverything()
 // Without a sensor there, a board tells zeros for the frame's angles.
 void TestSbgcDevice::frameSensorThatIsNotUsedTellsNothing()
 {
-    VirtualBoard bench;
+    SimulatorOptions options;
+    options.own.insert(u"frame-imu"_s, 1);
+    VirtualBoard bench(options);
     QVERIFY(bench.identify());
     const auto angles = [&bench] {
         std::ignore = bench.channel.sleep(1s);  // the hand shakes
-        const auto status = bench.channel.transact(simplebgc::Device::statusRequest());
+        const auto status = bench.channel.transact(bench.device.statusRequest());
         return status ? QByteArray(status->payload.mid(38, 6)) : QByteArray();
     };
     QVERIFY(angles() != QByteArray(6, '\0'));

@@ -280,7 +280,7 @@ void TestSbgcExpert::frameIsTold()
     const auto done = rig.perform("feed", {{u"what"_s, u"helper"_s}, {u"file"_s, path}});
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     const auto frameRoll = [&] {
-        const auto status = rig.channel.transact(simplebgc::Device::statusRequest());
+        const auto status = rig.channel.transact(rig.device.statusRequest());
         const QByteArray payload = status ? status->payload : QByteArray();
         ByteReader reader(payload);
         reader.skip(38);

@@ -3,9 +3,9 @@
 #include "protocol/simplebgc/commands.h"
 #include "protocol/simplebgc/frametext.h"
 #include "protocol/simplebgc/messages.h"
+#include "tests/support/sbgcrig.h"
 #include "tests/unit/sbgcvectors.h"
 
-#include <QFile>
 #include <QTest>
 
 #include <cmath>
@@ -47,20 +47,57 @@ QStringList wordsOf(Fields fields, const QByteArray &payload)
     return words;
 }
 
-// One row of the table in CONTRIBUTING.md.
-QString rowOf(const MessageSpec &message)
+/// Commands that nothing here makes use of, and why.
+struct Unused
 {
-    const QString ways = message.toBoard && message.fromBoard ? u"both"_s
-        : message.toBoard                                     ? u"to the board"_s
-        : message.fromBoard                                   ? u"from the board"_s
-                                                              : u"?"_s;
-    const QString state = !message.isPublic ? u"raw: no public layout"_s
-        : *message.where                    ? u"in use"_s
-                                            : u"by hand"_s;
-    const QString where = *message.where ? QString::fromLatin1(message.where) : u"Console"_s;
-    return u"| %1 | %2 | %3 | %4 | %5 | %6 |"_s.arg(message.id)
-        .arg(QLatin1String(message.name), ways,
-             message.since == 0 ? QString() : QString::number(message.since), state, where);
+    const char *name;
+    bool isSimulated;  // the simulated board carries it out all the same
+    const char *reason;
+};
+// clang-format off
+constexpr Unused kUnused[] = {
+    {"GET_PARAMS_3", true, "no firmware has it: the document calls it not yet implemented"},
+    {"SIGN_MESSAGE", false, "the board signs with a key that only its maker knows"},
+    {"SET_ADJ_VARS_VAL_F", true, "all variables are whole numbers, which SET_ADJ_VARS_VAL sets and proves"},
+    {"MODULE_LIST", false, "of modules on the CAN bus"},
+    {"CAN_DEVICE_SCAN", false, "of modules on the CAN bus"},
+    {"CAN_DRV_TELEMETRY", false, "of modules on the CAN bus"},
+    {"CALIB_ORIENT_CORR", false, "it finds how crooked a sensor is mounted; the simulated one sits straight"},
+    {"SYNC_MOTORS", false, "of axes that two motors turn"},
+    {"EXT_IMU_CMD", false, "passed on to an external sensor"},
+    {"EXT_SENS_CMD", false, "passed on to an external sensor"},
+    {"EXT_MOTORS_ACTION", false, "of external motors"},
+    {"EXT_MOTORS_CONTROL", false, "of external motors"},
+    {"EXT_MOTORS_CONTROL_CONFIG", false, "of external motors"},
+    {"EXT_MOTORS_STATE", false, "of external motors"},
+    {"TRANSPARENT_SAPI", false, "passed on to another board"},
+    {"SET_DEBUG_PORT", false, "repeats what passes the board's other ports; the simulated one has no others"},
+};
+// clang-format on
+
+const Unused *unused(const MessageSpec &message)
+{
+    const auto found = std::find_if(std::begin(kUnused), std::end(kUnused), [&message](const Unused &each) {
+        return qstrcmp(each.name, message.name) == 0;
+    });
+    return found == std::end(kUnused) ? nullptr : found;
+}
+
+/// The code of ERROR with which a board with all its sensors refuses it; 0: it does not, -1: nothing is said.
+int refusalBy(int firmware, int id, const QByteArray &payload)
+{
+    constexpr int kErrorId = 255;
+    SimulatorOptions options = withFirmware(firmware);
+    for (const char *part : {"encoders", "frame-imu", "magnetometer", "fc"})
+        options.own.insert(QLatin1String(part), 1);
+    VirtualBoard board(options);
+    const auto heard = board.channel.listen([](const FrameView &) { return true; });
+    if (!board.channel.transact(silentRequest(CommandId(id), payload, 1)))
+        return -1;
+    const auto frame = heard->next(200ms);
+    if (!frame)
+        return -1;
+    return frame->id == kErrorId ? int(quint8(frame->payload[1])) : 0;
 }
 
 }  // namespace
@@ -77,7 +114,9 @@ private slots:
     void whatIsWrongIsSaid_data();
     void whatIsWrongIsSaid();
     void framesAreWorded();
-    void tableIsInTheHandbook();
+    void everyCommandIsOfUse();
+    void everyCommandHasAnEffect();
+    void earlierFirmwareKnowsNothingOfIt();
 };
 
 void TestSbgcMessages::numbersAreInOrder()
@@ -269,29 +308,41 @@ void TestSbgcMessages::framesAreWorded()
     }
 }
 
-// GIMBAL_WRITE_TABLES=1 writes it.
-void TestSbgcMessages::tableIsInTheHandbook()
+// It has a place, or there is a reason.
+void TestSbgcMessages::everyCommandIsOfUse()
 {
-    QStringList rows{u"| Number | Command | Way | Since | State | Where |"_s, u"|---|---|---|---|---|---|"_s};
     for (const MessageSpec &message : messages())
-        rows.append(rowOf(message));
-    const QString begin = u"<!-- commands of SimpleBGC -->\n"_s;
-    const QString end = u"\n<!-- end of commands -->"_s;
-    QFile file(QStringLiteral(GIMBAL_SOURCE_DIR "/CONTRIBUTING.md"));
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    QString text = QString::fromUtf8(file.readAll());
-    file.close();
-    const qsizetype from = text.indexOf(begin) + begin.size();
-    const qsizetype to = text.indexOf(end);
-    QVERIFY(from >= begin.size() && to >= from);
-    const QString wanted = rows.join(u'\n');
-    if (qEnvironmentVariableIsSet("GIMBAL_WRITE_TABLES")) {
-        text.replace(from, to - from, wanted);
-        QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
-        file.write(text.toUtf8());
-        return;
+        QVERIFY2(!message.isPublic || (*message.where != '\0') != (unused(message) != nullptr), message.name);
+    for (const Unused &each : kUnused)
+        QVERIFY2(findMessage(QString::fromLatin1(each.name)) && *each.reason, each.name);
+}
+
+// The newest firmware knows it.
+void TestSbgcMessages::everyCommandHasAnEffect()
+{
+    constexpr int kUnknown = 6;
+    for (const SbgcVector &vector : kSbgcVectors) {
+        const MessageSpec &message = *messageOf(vector);
+        if (vector.way != '>')
+            continue;
+        const Unused *reasoned = unused(message);
+        const int code
+            = refusalBy(simplebgc::Device::kNewestFirmware, message.id, QByteArray::fromHex(vector.hex));
+        QVERIFY2((code != kUnknown) == (!reasoned || reasoned->isSimulated), vector.name);
     }
-    QCOMPARE(text.mid(from, to - from), wanted);
+}
+
+// Firmware before 2.60 is silent, later firmware refuses it.
+void TestSbgcMessages::earlierFirmwareKnowsNothingOfIt()
+{
+    constexpr int kUnknown = 6;
+    for (const SbgcVector &vector : kSbgcVectors) {
+        const MessageSpec &message = *messageOf(vector);
+        if (vector.way != '>' || message.since == 0)
+            continue;
+        const int code = refusalBy(message.since - 1, message.id, QByteArray::fromHex(vector.hex));
+        QVERIFY2(code == (message.since > kLater ? kUnknown : -1), vector.name);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestSbgcMessages)

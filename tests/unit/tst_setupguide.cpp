@@ -17,6 +17,8 @@ class TestSetupGuide final : public QObject
     Q_OBJECT
 private slots:
     void anUnpackedGimbalIsTuned();
+    void aUseChangesItsValuesAlone_data();
+    void aUseChangesItsValuesAlone();
     void batteryIsAskedFor_data();
     void batteryIsAskedFor();
     void sensorsAreTold_data();
@@ -165,6 +167,60 @@ void TestSetupGuide::anUnpackedGimbalIsTuned()
     QVERIFY(result && result->remarks == QStringList{u"use.same"_s});
 }
 
+void TestSetupGuide::aUseChangesItsValuesAlone_data()
+{
+    using Values = QMap<QString, int>;
+    QTest::addColumn<Values>("wanted");
+    QTest::newRow("handheld") << Values{{u"follow.mode"_s, 2},       {u"rc.yaw.follow"_s, 1},
+                                        {u"follow.yaw.speed"_s, 40}, {u"follow.pitch.speed"_s, 25},
+                                        {u"follow.deadband"_s, 50},  {u"imu.gyro_trust"_s, 120}};
+    QTest::newRow("drone") << Values{{u"follow.mode"_s, 0},
+                                     {u"rc.yaw.follow"_s, 1},
+                                     {u"follow.yaw.speed"_s, 60},
+                                     {u"follow.deadband"_s, 20},
+                                     {u"imu.gyro_trust"_s, 170}};
+    QTest::newRow("vehicle") << Values{{u"follow.mode"_s, 0},
+                                       {u"rc.yaw.follow"_s, 1},
+                                       {u"follow.yaw.speed"_s, 15},
+                                       {u"follow.deadband"_s, 100},
+                                       {u"imu.gyro_trust"_s, 200}};
+    QTest::newRow("tripod") << Values{
+        {u"follow.mode"_s, 0}, {u"rc.yaw.follow"_s, 0}, {u"imu.gyro_trust"_s, 80}};
+}
+
+// Of the active profile, and nothing of the others; shown before it is written.
+void TestSetupGuide::aUseChangesItsValuesAlone()
+{
+    using Values = QMap<QString, int>;
+    QFETCH(Values, wanted);
+    SetupBench bench(false);
+    for (auto it = wanted.cbegin(); it != wanted.cend(); ++it)
+        bench.board.board().store(it.key(), 0, it.value() == 0 ? 1 : it.value() - 1);
+    const auto memory = [&bench] {
+        std::array<Values, 2> profiles;
+        for (const ParameterSpec &spec : bench.board.device.parameters()->all()) {
+            for (int profile = 0; profile < 2 && !spec.row->state; ++profile)
+                profiles[std::size_t(profile)][spec.key] = bench.board.board().stored(spec.key, profile);
+        }
+        return profiles;
+    };
+    auto expected = memory();
+    const QString use = QString::fromUtf8(QTest::currentDataTag());
+    auto result = bench.run("use", {{u"use"_s, use}});
+    QVERIFY2(result && result->state == State::Open, qPrintable(why(result)));
+    QCOMPARE(result->changes.size(), wanted.size());
+    QCOMPARE(memory(), expected);
+    result = bench.run("use", {{u"use"_s, use}, {u"apply"_s, u"on"_s}});
+    QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
+    expected[0].insert(wanted);
+    QCOMPARE(memory(), expected);
+    QVERIFY(!result->snapshot.isEmpty());
+    for (auto it = wanted.cbegin(); it != wanted.cend(); ++it)
+        QCOMPARE(bench.board.board().inUse(it.key()), it.value());
+    result = bench.run("use", {{u"use"_s, use}});
+    QVERIFY(result && result->remarks == QStringList{u"use.same"_s});
+}
+
 void TestSetupGuide::batteryIsAskedFor_data()
 {
     QTest::addColumn<double>("volts");
@@ -221,11 +277,11 @@ void TestSetupGuide::sensorsAreTold()
     options.faults.noImu = !hasImu;
     if (encoders > 0)
         options.own[u"encoders"_s] = 1;
+    if (hasFrame)
+        options.own[u"frame-imu"_s] = 1;
     SetupBench bench(options);
     if (encoders > 1)
         bench.board.board().store(u"encoder.roll.type"_s, 0, 0);
-    if (!hasFrame)
-        bench.board.board().store(u"imu.frame.position"_s, 0, 0);
     const auto result = bench.run("sensors");
     QVERIFY2(result, qPrintable(why(result)));
     QCOMPARE(result->state, hasImu ? State::Done : State::Poor);

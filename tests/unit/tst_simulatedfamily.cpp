@@ -118,7 +118,7 @@ void TestSimulatedFamily::optionsOfOtherFamiliesAreRefused_data()
         QTest::newRow("simplebgc")
             << u"simplebgc"_s << u"strict"_s
             << u"seed, firmware, rate, board, condition, number, parity, encoders, frame-imu, "
-               "magnetometer, fc, fault"_s;
+               "legacy, magnetometer, fc, fault"_s;
     if (isBuiltIn(u"storm32"_s))
         QTest::newRow("storm32") << u"storm32"_s << u"parity"_s << u"seed, firmware, rate, strict, fault"_s;
     QTest::newRow("a network has no rate") << u"echo"_s << u"rate"_s << u"seed, firmware, fault"_s;

@@ -104,6 +104,9 @@ constexpr StepWords kStepWords[] = {
     {"measure-before", QT_TRANSLATE_NOOP("ErrorText", "Measuring without the notch")},
     {"measure-after", QT_TRANSLATE_NOOP("ErrorText", "Measuring with the notch")},
     {"steer", QT_TRANSLATE_NOOP("ErrorText", "Steering")},
+    {"frequency-test", QT_TRANSLATE_NOOP("ErrorText", "Measuring the frequency response")},
+    {"tune-by-axis", QT_TRANSLATE_NOOP("ErrorText", "Searching gains by axis")},
+    {"events", QT_TRANSLATE_NOOP("ErrorText", "Waiting for events")},
 };
 // clang-format on
 

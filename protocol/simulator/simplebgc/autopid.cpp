@@ -28,12 +28,14 @@ void SimulatedBoard::autoPid(const Frame &frame)
     }
     if (quint8(frame.payload[0]) < kProfileCount)
         loadProfile(quint8(frame.payload[0]));
-    startAutoPid(flags, quint8(frame.payload[2]));
+    const int strength = quint8(frame.payload[2]);
+    startAutoPid(CommandId::AutoPid, flags, {strength, strength, strength});
 }
 
 /// @param flags of AUTO_PID
-/// @param gainVsStability 0 (stable) to 255 (strong)
-void SimulatedBoard::startAutoPid(int flags, int gainVsStability)
+/// @param gainVsStability 0 (stable) to 255 (strong), of each axis
+void SimulatedBoard::startAutoPid(CommandId command, int flags,
+                                  const std::array<int, kAxisCount> &gainVsStability)
 {
     std::array<bool, kAxisCount> axes{};
     std::array<AutoPidSearch::AxisResult, kAxisCount> start;
@@ -50,6 +52,8 @@ void SimulatedBoard::startAutoPid(int flags, int gainVsStability)
     }
     m_autoPid = std::make_unique<AutoPidSearch>(axes, start, gainVsStability);
     m_autoPidReports = flags & AutoPidReport;
+    m_autoPidStores = false;
+    m_autoPidCommand = command;
     m_autoPidVersion = m_lastVersion;
     m_stabilizer.setMotorsOn(true);
 }
@@ -89,9 +93,11 @@ void SimulatedBoard::updateAutoPid()
     if (!m_autoPid->isFinished() && !fails)
         return;
     m_autoPid.reset();
+    if (m_autoPidStores && !fails)
+        storeAll();
     for (const Axis axis : kAxes)
         m_stabilizer.setTarget(axis, 0.0);
-    sendEnd(CommandId::AutoPid, m_autoPidVersion, fails ? m_options.faults.failWith : 0);
+    sendEnd(m_autoPidCommand, m_autoPidVersion, fails ? m_options.faults.failWith : 0);
 }
 
 }  // namespace simplebgc

@@ -33,12 +33,12 @@ int shrunk(int value, double factor)
 }  // namespace
 
 AutoPidSearch::AutoPidSearch(std::array<bool, kAxisCount> axes, std::array<AxisResult, kAxisCount> start,
-                             int gainVsStability)
+                             const std::array<int, kAxisCount> &gainVsStability)
     : m_selected(axes)
     , m_results(start)
-    , m_backOff(0.45 + 0.35 * gainVsStability / 255.0)
 {
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        m_backOff[axis] = 0.45 + 0.35 * gainVsStability[axis] / 255.0;
         if (axes[axis])
             m_states[axis].phase = Phase::Settle;
     }
@@ -100,7 +100,7 @@ void AutoPidSearch::decide(std::size_t axis)
             result.d = grown(result.d, 1.3);
             break;
         }
-        result.d = shrunk(result.d, m_backOff);
+        result.d = shrunk(result.d, m_backOff[axis]);
         state.phase = Phase::Calm;
         break;
     case Phase::Calm:
@@ -123,7 +123,7 @@ void AutoPidSearch::decide(std::size_t axis)
             result.p = grown(result.p, 1.3);
             break;
         }
-        result.p = shrunk(result.p, m_backOff + 0.15);
+        result.p = shrunk(result.p, m_backOff[axis] + 0.15);
         result.i = std::max(result.i, shrunk(result.p, 0.15));
         state.phase = Phase::RaiseI;
         state.best = result.trackingError * 1.2;

@@ -20,9 +20,9 @@ public:
         double trackingError = 0;  ///< rms, degrees
     };
 
-    /// @param gainVsStability 0 (stable) to 255 (strong)
+    /// @param gainVsStability 0 (stable) to 255 (strong), of each axis
     AutoPidSearch(std::array<bool, kAxisCount> axes, std::array<AxisResult, kAxisCount> start,
-                  int gainVsStability);
+                  const std::array<int, kAxisCount> &gainVsStability);
 
     /// Offset that this cycle adds to an axis's target, in degrees.
     [[nodiscard]] double stimulus(Axis axis) const;
@@ -52,7 +52,7 @@ private:
     std::array<bool, kAxisCount> m_selected;
     std::array<AxisResult, kAxisCount> m_results;
     std::array<AxisState, kAxisCount> m_states;
-    double m_backOff;
+    std::array<double, kAxisCount> m_backOff{};
     int m_cycle = 0;
     int m_iteration = 0;
 };

@@ -86,7 +86,8 @@ void SimulatedBoard::loadDefaults(int profile)
     // The simulated sensor is calibrated on command, not at every start.
     if (const ParameterSpec *skip = spec(u"imu.skip_gyro_calibration"_s))
         skip->write(blocks[Params3], 1);
-    spec(u"imu.frame.position"_s)->write(blocks[Params3], kAboveYaw);
+    if (isFitted("frame-imu"))
+        spec(u"imu.frame.position"_s)->write(blocks[Params3], kAboveYaw);
 }
 
 // As it comes out of its box: motors that nobody has told of, one of them the wrong way round, a sensor that
@@ -148,8 +149,12 @@ void SimulatedBoard::boot()
     m_stabilizer.resetEstimate();
     m_control = {};
     m_modes = {};
+    forget();
     m_signals = {};
     m_script = {};
+    m_isWriteSet = false;
+    m_writtenProfile.reset();
+    m_menuVersion = 0;
     m_motorCalibration = {};
     m_bootLoaderAt = -1;
     m_frameToldUntil = -1;
@@ -256,6 +261,12 @@ void SimulatedBoard::shareBoardValues(int from)
     }
 }
 
+void SimulatedBoard::storeAll()
+{
+    m_eeprom[std::size_t(m_active)] = m_ram;
+    shareBoardValues(m_active);
+}
+
 void SimulatedBoard::restart(double afterSeconds)
 {
     m_restartAt = m_now + afterSeconds;
@@ -310,10 +321,12 @@ void SimulatedBoard::cycle()
     updateMotorCalibration();
     updateScript();
     updateAutoPid();
+    updateFrequencyTest();
     m_stabilizer.step();
     updateSensors();
     updateCalibration();
     tellChanges();
+    updateMenu();
     // For the first half second a calibration blocks everything else (errata 7).
     const double lateStreams = m_options.faults.lateStreams;
     const bool silent = m_calibration.left > 0
@@ -388,20 +401,24 @@ void SimulatedBoard::updateFaults()
 
 void SimulatedBoard::updateTargets()
 {
+    updateSteering();
     bool arrived = true;
+    const bool isByAttitude = m_attitude.mode != 0;
+    const auto attitude = isByAttitude ? anglesOf(m_attitude.setpoint) : std::array<double, kAxisCount>{};
     for (std::size_t i = 0; i < kAxisCount; ++i) {
         const Axis axis = kAxes[i];
         const int mode = m_control[i].mode & 0x0F;
         const double before = m_stabilizer.target(axis);
         double target = before;
-        if (mode == Speed) {
-            target += m_moveSpeed[i] * Stabilizer::kCycle;
+        if (isByAttitude) {
+            target += std::remainder(attitude[i] - before, 360.0);
+        } else if (mode == Speed) {
+            target = nextTarget(i, {});
         } else if (mode == Angle || mode == SpeedAngle || mode == AngleRelFrame || mode == Rc
                    || mode == AngleShortest || mode == RcHighRes) {
             const double goal
                 = m_destination[i] + (mode == AngleRelFrame ? m_stabilizer.hand().angle(axis) : 0.0);
-            const double step = std::abs(m_moveSpeed[i]) * Stabilizer::kCycle;
-            target += std::clamp(goal - target, -step, step);
+            target = nextTarget(i, goal);
             arrived &= std::abs(goal - m_stabilizer.estimate(axis)) < 1.0;
         } else if (const auto wanted = rcTarget(axis)) {
             target = *wanted;
@@ -409,7 +426,8 @@ void SimulatedBoard::updateTargets()
             const double follow = value(u"follow.yaw.speed"_s) / 60.0;
             target += (m_stabilizer.hand().angle(axis) - target) * follow * Stabilizer::kCycle;
         }
-        m_targetSpeed[i] = mode == NoControl ? 0.0 : (target - before) / Stabilizer::kCycle;
+        const bool isSteered = mode != NoControl || isByAttitude;
+        m_targetSpeed[i] = isSteered ? (target - before) / Stabilizer::kCycle : 0.0;
         m_stabilizer.setTarget(axis, target);
     }
     if (m_taskRunning && arrived) {
@@ -454,7 +472,11 @@ void SimulatedBoard::updateCalibration()
         std::array<double, kAxisCount> mean{};
         for (std::size_t i = 0; i < kAxisCount; ++i)
             mean[i] = calibration.sum[i] / calibration.samples;
-        if (gyro)
+        if (calibration.action == 3)
+            noteTemperatures(calibration.command, calibration.imu, calibration.action);
+        if (calibration.command == CommandId::CalibAccExtRef)
+            levelByReference(mean);
+        else if (gyro)
             (isFrame ? m_frameImu : imu).gyroCorrection = mean;
         else if (isFrame)
             m_frameImu.accCorrection = {mean[0], mean[1], mean[2] - 1.0};
@@ -462,7 +484,7 @@ void SimulatedBoard::updateCalibration()
             finishAccCalibration(mean);
         keepCalibration(isFrame ? kFrameImu : kMainImu);
     }
-    if (!isFrame) {
+    if (!isFrame && calibration.command != CommandId::CalibAccExtRef) {
         m_stabilizer.setHeld(false);
         m_stabilizer.resetEstimate();
         m_stabilizer.setMotorsOn(calibration.motorsWereOn);
@@ -500,6 +522,8 @@ void SimulatedBoard::sendEnd(CommandId command, int version, int refusal)
     writer.u8(number(command));
     if (refusal != 0)
         writer.u8(refusal).zeros(4);
+    else if (command == CommandId::CalibCogging)
+        writer.u8(255);  // its end, to tell it from its beginning
     send(refusal != 0 ? CommandId::Error : CommandId::Confirm, writer.take(), version);
 }
 

@@ -6,6 +6,7 @@
 #include "protocol/simplebgc/framer.h"
 #include "protocol/simplebgc/parametertables.h"
 #include "protocol/simplebgc/payloads.h"
+#include "protocol/simplebgc/rotation.h"
 #include "protocol/simulator/simplebgc/autopidsearch.h"
 #include "protocol/simulator/simplebgc/receiver.h"
 #include "protocol/simulator/world/simulatedboard.h"
@@ -38,9 +39,8 @@ inline constexpr int kFcRollPin = 3;  ///< as signal sources count them (errata 
 inline constexpr int kFcPitchPin = 4;
 inline constexpr int kMainImu = 1;
 inline constexpr int kFrameImu = 2;  ///< of SELECT_IMU_3 and calibrations
-inline constexpr int kSafeStop = 2;  ///< of MOTORS_OFF
+inline constexpr int kOnce = 1;  ///< action of CALIB_ACC and CALIB_GYRO
 inline constexpr int kMiddleStability = 128;  ///< of AUTO_PID, where nobody tells it
-inline constexpr auto kEventMessage = CommandId(102);
 inline constexpr double kResetNotice = 1.0;  ///< document CMD_RESET: 1000 ms between notice and restart
 
 /// A SimpleBGC 32-bit controller on a simulated gimbal: memory per profile, volatile variables, streams,
@@ -75,6 +75,8 @@ public:
     [[nodiscard]] double now() const { return m_now; }
     [[nodiscard]] bool isCalibrating() const { return m_calibration.left > 0; }
     [[nodiscard]] const ControlCommand &lastControl() const { return m_control; }
+    /// What comes out of a servo's pin, in µs: 0 it is held low, below 0 it floats.
+    [[nodiscard]] int servoPulse(std::size_t servo) const { return m_servos[servo]; }
 
 private:
     using Block = std::array<QByteArray, BlockCount>;
@@ -85,6 +87,8 @@ private:
     void loadProfile(int profile);
     void applyParameters();
     void shareBoardValues(int from);
+    /// What is in use goes to the active profile.
+    void storeAll();
     [[nodiscard]] double value(const QString &key) const;
     [[nodiscard]] double axisValue(const char *pattern, Axis axis) const;
     /// How gains are stored (errata 3.3); the search of gains counts as the linear scale does.
@@ -109,6 +113,8 @@ private:
     [[nodiscard]] std::optional<double> rcInput(const QString &name) const;
     [[nodiscard]] std::optional<double> rcTarget(Axis axis);
     [[nodiscard]] QByteArray slotState(const Frame &frame) const;
+    [[nodiscard]] QByteArray rcData() const;
+    [[nodiscard]] QByteArray rcChannels() const;
     [[nodiscard]] QByteArray rcInputs(const Frame &frame);
     // menu commands and what they switch (menu.cpp); each tells the code with which it is refused, 0 = done
     struct MenuEntry;
@@ -116,6 +122,8 @@ private:
     enum Event { MenuButtonEvent = 1, MotorEvent, EmergencyEvent, CameraEvent, ScriptEvent, RetractedEvent };
     enum EventType { EventOff = 1, EventOn = 2 };
     [[nodiscard]] static std::span<const MenuEntry> menuEntries();
+    void menu(const Frame &frame);
+    void updateMenu();
     int runMenu(int action);
     int doNothing(int argument);
     int useProfile(int profile);
@@ -170,7 +178,6 @@ private:
     void keepCalibration(int imu);
     void bootCalibrations();
     [[nodiscard]] SimulatedImu &sensor(int imu) { return imu == kFrameImu ? m_frameImu : m_stabilizer.imu(); }
-    [[nodiscard]] QByteArray calibrationInfo(int imu) const;
     // motors and pins (mounting.cpp)
     bool handleMotors(const Frame &frame);
     bool startMotorCalibration(const Frame &frame, double seconds);
@@ -183,6 +190,9 @@ private:
     void watchSignals();
     void startEncoderCalibration(const Frame &frame);
     void startGainCalibration(const Frame &frame);
+    void startRippleCalibration(const Frame &frame);
+    void storeRipple();
+    void useRipple();
     void turnMotors();
     [[nodiscard]] int encoderFailure() const;
     void storeMotors();
@@ -225,11 +235,55 @@ private:
     void takeBusBytes(int address, int reg, const QByteArray &bytes);
     void updateMotorCalibration();
     void updateCalibration();
+    // other ways to steer (finesteering.cpp)
+    bool handleSteering(const Frame &frame);
+    void controlFinely(const Frame &frame);
+    void stopSteering();
+    void limitSteering(const Frame &frame);
+    void controlAttitude(const Frame &frame);
+    void limitAttitude(const Frame &frame);
+    [[nodiscard]] QByteArray attitudeState(quint32 set) const;
+    void steerAxis(std::size_t axis, const ControlAxis &wanted, double speed, double destination);
+    void updateSteering();
+    void turnAttitude();
+    /// The next target of an axis that turns towards a goal, or at its speed.
+    [[nodiscard]] double nextTarget(std::size_t axis, std::optional<double> goal);
+    // a frequency response (frequencytest.cpp)
+    void startFrequencyTest(const Frame &frame);
+    void updateFrequencyTest();
+    [[nodiscard]] double stimulus();
+    void sendFrequencySamples();
+    void endFrequencyTest(int code);
+    // what its sensors know of themselves (sensorinfo.cpp)
+    bool handleSensorInfo(const Frame &frame);
+    [[nodiscard]] QByteArray calibrationInfo(int imu) const;
+    void noteTemperatures(CommandId command, int imu, int action);
+    void startReference(const Frame &frame);
+    void levelByReference(const std::array<double, kAxisCount> &mean);
+    /// To the camera's right, front and top, of what is told in the sensor's own axes.
+    [[nodiscard]] std::array<double, kAxisCount> fromSensor(const std::array<double, kAxisCount> &own) const;
+    // what later firmware has beside that (later.cpp)
+    bool handleLater(const Frame &frame);
+    [[nodiscard]] bool isStreamed(CommandId id) const;
+    void setServos(const Frame &frame);
+    [[nodiscard]] QByteArray realtimeCustom2(quint32 flags) const;
+    void tune2(const Frame &frame);
+    [[nodiscard]] QByteArray referenceInfo() const;
+    void forget();
     /// @param refusal code of ERROR; 0: it went well
     void sendEnd(CommandId command, int version, int refusal);
     void autoPid(const Frame &frame);
-    void startAutoPid(int flags, int gainVsStability);
+    void startAutoPid(CommandId command, int flags, const std::array<int, kAxisCount> &gainVsStability);
     void updateAutoPid();
+
+    // commands that have grown (generations.cpp)
+    bool handleGrown(const Frame &frame);
+    void tellVariables(const Frame &frame);
+    void tellValues(const Frame &frame);
+    void saveVariables(const Frame &frame);
+    void useDefaults(const Frame &frame);
+    void bracketWrites(const Frame &frame);
+    void motorsOff(const Frame &frame);
 
     // commands (commands.cpp)
     void handle(const Frame &frame);
@@ -242,7 +296,6 @@ private:
     void getAdjVars(const Frame &frame);
     void registerStream(const Frame &frame);
     void control(const Frame &frame);
-    void menu(const Frame &frame);
     void startCalibration(const Frame &frame);
     void beginCalibration(CommandId command, int imu, int action, int version);
     void reply(const Frame &to, CommandId id, const QByteArray &payload);
@@ -326,8 +379,10 @@ private:
     std::array<std::array<std::optional<double>, 2>, kAxisCount>
         m_accLimits;  // readings with the axis down, up
     std::unique_ptr<AutoPidSearch> m_autoPid;
+    CommandId m_autoPidCommand = CommandId::AutoPid;
     int m_autoPidVersion = 1;
     bool m_autoPidReports = false;
+    bool m_autoPidStores = false;
     ControlCommand m_control{};
     /// What comes in over API_VIRT_CH_CONTROL.
     struct Signals
@@ -390,6 +445,7 @@ private:
         std::array<double, 6> sums{};  // of signals and angles
         int samples = 0;
         bool trustsAnything = false;
+        int iterations = 0;
     };
     MotorCalibration m_motorCalibration;
     // What others tell of its attitude.
@@ -399,7 +455,64 @@ private:
     QHash<int, int> m_sensorRegisters;
     int m_starts = 0;
     double m_mostCurrent = 0;
+    double m_countedFrom = 0;  // seconds of work
+    // CONTROL_CONFIG, CONTROL_QUAT and its settings.
+    struct SteeringLimits
+    {
+        double timeout = 0;  // seconds, 0: none
+        bool isSilent = false;  // CONTROL is not confirmed
+        std::array<double, kAxisCount> acceleration{};  // 0: none
+    };
+    SteeringLimits m_steeringLimits;
+    double m_steeredAt = 0;
+    struct AttitudeControl
+    {
+        int mode = 0;
+        int flags = 0;
+        Orientation target{1, 0, 0, 0};
+        Orientation setpoint{1, 0, 0, 0};
+        std::array<double, kAxisCount> speed{};  // told, degrees per second about the camera's axes
+        std::array<double, kAxisCount> turning{};  // of the set-point
+        std::array<double, kAxisCount> maxSpeed{};  // 0: as fast as it may
+        std::array<double, kAxisCount> maxAcceleration{};
+        bool isTask = false;
+        int version = 1;
+    };
+    AttitudeControl m_attitude;
+    struct FrequencyTest
+    {
+        int axis = -1;  // none
+        int system = 0;
+        int type = 0;
+        double gain = 0;
+        double from = 0;  // Hz
+        double to = 0;
+        quint32 total = 0;
+        quint32 done = 0;
+        int counter = 0;  // of its frames
+        int version = 1;
+        double phase = 0;
+        double target = 0;  // where the axis stood
+        double given = 0;  // the newest stimulus
+        Biquad upper;
+        Biquad lower;
+        double level = 1;  // of the noise that is left
+        std::vector<std::array<double, 2>> samples{};
+    };
+    FrequencyTest m_frequencyTest;
+    std::array<int, 4> m_servos{-1, -1, -1, -1};
+    // What its sensors know of the temperatures that they were calibrated at.
+    struct Temperatures
+    {
+        bool isUsed = false;
+        std::optional<std::pair<int, int>> range{};
+        std::array<int, 6> positions{};  // how often: right, front, top, and their opposites
+    };
+    std::array<double, kAxisCount> m_reference{};  // of the accelerometer, in g
+    std::map<std::pair<CommandId, int>, Temperatures> m_temperatures;  // by calibration and sensor
+    QByteArray m_tune2;  // settings of AUTO_PID2
     std::array<double, kAxisCount> m_moveSpeed{};
+    std::array<double, kAxisCount> m_turnSpeed{};  // at which a target turns that may only speed up so fast
     bool m_hasFrameSensor = false;  // according to the parameters
     std::array<double, kAxisCount> m_targetSpeed{};  // at which CONTROL turns the targets now
     std::array<double, kAxisCount> m_destination{};
@@ -425,6 +538,9 @@ private:
     };
     MagCalibration m_magCalibration;
     int m_mount = 0;
+    bool m_isWriteSet = false;  // between the two WRITE_PARAMS_SET
+    std::optional<int> m_writtenProfile;  // to be loaded at its end
+    int m_menuVersion = 0;  // of the command whose end is told; 0: none
     int m_writesSeen = 0;
     int m_resetOnWrite = 0;  ///< of which write they are counted
     bool m_otherClientDone = false;

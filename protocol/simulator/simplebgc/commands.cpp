@@ -19,21 +19,10 @@ constexpr double kLatency = 0.0015;  // seconds from command to the first byte o
 constexpr double kWriteLatency = 0.030;  // EEPROM write (errata 7: tens of ms)
 constexpr double kCalibrationTime = 4.0;
 constexpr int kStreamsFrom = 2590;  // firmware
-constexpr int kEventsSince = 2657;
-constexpr int kStopKindsSince = 2687;  // of MOTORS_OFF
 constexpr qsizetype kStreamSpace = 512;  // with more than this in the output buffer, streams are skipped
 constexpr int kMaxStreams = 10;
 constexpr int kUnknownFirmware = 9990;
 constexpr int kBoardVersion = 30;
-
-std::vector<DebugVar> debugVariables()
-{
-    return {{u"ERR_ROLL"_s, DebugVar::I16, 1, true, 1},      {u"ERR_PITCH"_s, DebugVar::I16, 2, true, 1},
-            {u"ERR_YAW"_s, DebugVar::I16, 3, true, 1},       {u"MOTOR_OUT"_s, DebugVar::F32, 0, false, 3},
-            {u"CPU_LOAD"_s, DebugVar::U8, 0, false, 1},      {u"IMU_TEMP"_s, DebugVar::I8, 0, false, 1},
-            {u"CYCLE_US"_s, DebugVar::U16, 0, false, 1},     {u"UPTIME_MS"_s, DebugVar::U32, 0, false, 1},
-            {u"YAW_UNWRAPPED"_s, DebugVar::I32, 3, false, 1}};
-}
 
 }  // namespace
 
@@ -79,8 +68,12 @@ void SimulatedBoard::handle(const Frame &frame)
     m_lastVersion = frame.version;
     if (frame.id == m_options.faults.deaf)
         return;
-    if (handleRead(frame) || handleWrite(frame) || handleAction(frame) || handleMemory(frame)
-        || handleMotors(frame) || handleExpert(frame))
+    // The first boards know the commands whose numbers are letters; that they know no others is assumed.
+    const bool isKnown = !isFitted("legacy") || (frame.id >= 'A' && frame.id <= 'z');
+    if (isKnown
+        && (handleRead(frame) || handleWrite(frame) || handleAction(frame) || handleGrown(frame)
+            || handleMemory(frame) || handleMotors(frame) || handleExpert(frame) || handleSteering(frame)
+            || handleLater(frame)))
         return;
     refuse(frame, kUnknownCommand);
 }
@@ -93,7 +86,7 @@ bool SimulatedBoard::handleRead(const Frame &frame)
         BoardInfo info;
         info.boardVersion = m_options.own.value(u"board"_s, kBoardVersion);
         info.firmware = m_options.faults.unknownFirmware ? kUnknownFirmware : m_options.firmware;
-        info.features = ThreeAxis | BatteryMonitor | CurrentSensor;
+        info.features = ThreeAxis | BatteryMonitor | CurrentSensor | BodeTest;
         if (isFitted("encoders"))
             info.features |= Encoders;
         if (isFitted("magnetometer") && m_options.firmware >= kLater)
@@ -171,17 +164,6 @@ bool SimulatedBoard::handleRead(const Frame &frame)
         if (hasSize(frame, 0))
             reply(frame, CommandId::GetAnglesExt, encodeAnglesExt(angles()));
         return true;
-    case CommandId::DebugVarsInfo3: {
-        const auto vars = debugVariables();
-        const auto from
-            = std::min<std::size_t>(frame.payload.isEmpty() ? 0 : quint8(frame.payload[0]), vars.size());
-        reply(frame, CommandId::DebugVarsInfo3,
-              encodeDebugVarsInfo(int(vars.size()), std::span(vars).subspan(from)));
-        return true;
-    }
-    case CommandId::DebugVars3:
-        reply(frame, CommandId::DebugVars3, encodeDebugVars(debugVariables(), debugValues()));
-        return true;
     case CommandId::GetAdjVarsVal: getAdjVars(frame); return true;
     case CommandId::AdjVarsState:
         if (frame.payload.size() == 2 || frame.payload.size() == 7)
@@ -221,11 +203,6 @@ bool SimulatedBoard::handleWrite(const Frame &frame)
         writeParams(frame, ParamsExt3);
         return true;
     case CommandId::WriteAdjVarsCfg: writeParams(frame, AdjVarsCfg); return true;
-    case CommandId::WriteParamsSet:
-        if (m_options.firmware < 2704)
-            return false;
-        confirm(frame);
-        return true;
     case CommandId::WriteProfileNames: {
         if (!hasSize(frame, kProfileCount * kProfileNameSize))
             return true;
@@ -235,30 +212,6 @@ bool SimulatedBoard::handleWrite(const Frame &frame)
         return true;
     }
     case CommandId::SetAdjVarsVal: setAdjVars(frame); return true;
-    case CommandId::SaveParams3:
-        m_eeprom[std::size_t(m_active)] = m_ram;
-        shareBoardValues(m_active);
-        m_replies.push_back({m_now + kWriteLatency,
-                             encodeFrame(number(CommandId::Confirm),
-                                         QByteArray(1, static_cast<char>(frame.id)), frame.version)});
-        return true;
-    case CommandId::UseDefaults: {
-        if (!hasSize(frame, 1))
-            return true;
-        const int profile = quint8(frame.payload[0]);
-        if (profile >= kProfileCount && profile != 253) {
-            refuse(frame, kWrongParameters);
-            return true;
-        }
-        for (int i = 0; i < kProfileCount; ++i) {
-            if (i == profile || profile == 253)
-                loadDefaults(i);
-        }
-        confirm(frame);
-        reply(frame, CommandId::Reset, {});
-        restart(kResetNotice);
-        return true;
-    }
     default: return false;
     }
 }
@@ -270,24 +223,7 @@ bool SimulatedBoard::handleAction(const Frame &frame)
         switchMotors(SwitchOn);
         confirm(frame);
         return true;
-    case CommandId::MotorsOff:
-        if (m_options.firmware >= kStopKindsSince && frame.payload.startsWith(char(kSafeStop))) {
-            switchMotorsSafely(SwitchOff);
-            confirm(frame);
-            return true;
-        }
-        stopMotors();
-        m_autoPid.reset();
-        m_control = {};
-        // That it ends what turns the motors is an assumption: no document tells.
-        if (isStepping() && !m_options.faults.runsOn) {
-            m_motorCalibration = {};
-            m_stabilizer.resetEstimate();
-        }
-        confirm(frame);
-        return true;
     case CommandId::Control: control(frame); return true;
-    case CommandId::ExecuteMenu: menu(frame); return true;
     case CommandId::SelectImu3:
         // A sensor that is not there is not selected, and nothing is said (errata 7).
         if (const int imu = frame.payload.isEmpty() ? 0 : quint8(frame.payload[0]);
@@ -373,6 +309,8 @@ void SimulatedBoard::writeParams(const Frame &frame, int block)
     shareBoardValues(profile);
     if (isBoardWide)
         m_ram[std::size_t(block)] = bytes;
+    else if (m_isWriteSet)
+        m_writtenProfile = profile;
     else
         loadProfile(profile);
     m_replies.push_back(
@@ -459,9 +397,7 @@ void SimulatedBoard::registerStream(const Frame &frame)
     }
     const auto id = static_cast<CommandId>(stream->command);
     const bool isCustom = id == CommandId::RealtimeDataCustom;
-    const bool isStreamed = isCustom || id == CommandId::RealtimeData3 || id == CommandId::RealtimeData4
-        || id == CommandId::AhrsHelper || (id == kEventMessage && m_options.firmware >= kEventsSince);
-    if (!isStreamed || (isCustom && isTooLong(ByteReader(stream->config).u32()))) {
+    if (!isStreamed(id) || (isCustom && isTooLong(ByteReader(stream->config).u32()))) {
         refuse(frame, kWrongParameters);
         return;
     }
@@ -492,7 +428,7 @@ QByteArray SimulatedBoard::polled(CommandId id, const QByteArray &payload)
 void SimulatedBoard::sendStreams()
 {
     for (Stream &stream : m_streams) {
-        if (m_now + 1e-9 < stream.next || stream.request.command == number(kEventMessage))
+        if (m_now + 1e-9 < stream.next || stream.request.command == number(CommandId::Event))
             continue;
         stream.next += stream.interval;
         QByteArray payload;
@@ -501,6 +437,8 @@ void SimulatedBoard::sendStreams()
             payload = realtime(id == CommandId::RealtimeData4);
         else if (id == CommandId::RealtimeDataCustom)
             payload = realtimeCustom(ByteReader(stream.request.config).u32());
+        else if (id == CommandId::RealtimeDataCustom2)
+            payload = realtimeCustom2(ByteReader(stream.request.config).u32());
         else
             payload = attitudeVectors(isFrameSensor() && stream.request.config.startsWith('\1'));
         if (m_options.faults.frozen && !stream.sent.isEmpty())
@@ -529,6 +467,7 @@ void SimulatedBoard::startCalibration(const Frame &frame)
     if (extended)
         confirm(frame);  // at reception; the second one comes at the end (document CALIB_ACC)
     if (action != 1 && action != 3) {
+        noteTemperatures(static_cast<CommandId>(frame.id), imu, action);
         if (action == 2) {
             SimulatedImu &sensor = imu == kFrameImu ? m_frameImu : m_stabilizer.imu();
             sensor.gyroCorrection = {};
@@ -557,7 +496,7 @@ void SimulatedBoard::beginCalibration(CommandId command, int imu, int action, in
     m_calibration.version = version;
     m_calibration.motorsWereOn = m_stabilizer.motorsOn();
     m_calibration.imu = imu;
-    if (imu == kFrameImu)
+    if (imu == kFrameImu || command == CommandId::CalibAccExtRef)
         return;  // the camera may move
     m_stabilizer.setMotorsOn(false);
     // The operator lays the camera down level, unless a fault has him shake it.

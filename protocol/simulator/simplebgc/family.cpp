@@ -118,6 +118,7 @@ SimulatedFamily simulatedFamily()
              {u"0"_s, u"1"_s, u"new"_s}),
          fitted(u"frame-imu"_s,
                 {u"0 or 1: a motion sensor at the frame that can be selected and calibrated"_s}),
+         fitted(u"legacy"_s, {u"0 or 1: it knows only the commands of the first boards"_s}),
          fitted(u"magnetometer"_s, {u"0 or 1: a magnetometer at the camera, not calibrated"_s}),
          fitted(u"fc"_s, {u"0 or 1: a flight controller gives the frame's tilt at FC_ROLL and FC_PITCH"_s})},
         [](const SimulatorOptions &options) { return std::make_unique<SimulatedBoard>(options); }};

@@ -30,7 +30,6 @@ constexpr int kBackupSlot = 6;
 constexpr double kLineTime = 0.1;  // seconds of a script's command
 constexpr int kCalibrationFile = 3;
 constexpr double kCalibrationUnit = 1e-6;
-constexpr double kAccCounts = 512;  // per g
 
 void place(QByteArray &memory, int at, const QByteArray &bytes)
 {
@@ -107,12 +106,6 @@ bool SimulatedBoard::handleMemory(const Frame &frame)
         confirm(frame, ByteWriter().u32(address).take());
         return true;
     }
-    case CommandId::CalibInfo:
-        if (m_options.firmware < kLater)
-            return false;
-        if (hasSize(frame, 12))
-            reply(frame, CommandId::CalibInfo, calibrationInfo(reader.u8()));
-        return true;
     case CommandId::ReadExternalData: reply(frame, CommandId::ReadExternalData, m_external); return true;
     case CommandId::WriteExternalData:
         if (hasSize(frame, kExternalSize)) {
@@ -124,6 +117,7 @@ bool SimulatedBoard::handleMemory(const Frame &frame)
     case CommandId::WriteFile: takeFile(frame); return true;
     case CommandId::FsClearAll:
         m_files.clear();
+        useRipple();
         m_replies.push_back(
             {m_now + 5.0, encodeFrame(number(CommandId::Confirm), QByteArray("\x37\x00", 2), frame.version)});
         return true;
@@ -203,6 +197,7 @@ void SimulatedBoard::takeFile(const Frame &frame)
         if (code == 0 && m_arriving.size() == size)
             m_files[key] = m_arriving;
     }
+    useRipple();
     confirm(frame, QByteArray(1, char(code)));
 }
 
@@ -272,20 +267,6 @@ void SimulatedBoard::bootCalibrations()
                 figure = reader.i32() * kCalibrationUnit;
         }
     }
-}
-
-QByteArray SimulatedBoard::calibrationInfo(int imu) const
-{
-    const bool isFrame = (imu == 0 ? m_imu : imu) == kFrameImu;
-    int limits = 0;
-    for (std::size_t i = 0; i < kAxisCount && !isFrame; ++i)
-        limits |= (m_accLimits[i][1] ? 1 : 0) << (2 * i) | (m_accLimits[i][0] ? 2 : 0) << (2 * i);
-    const double done = m_calibration.left > 0 ? 1.0 - m_calibration.left / m_calibration.total : 0.0;
-    ByteWriter writer;
-    writer.u8(int(100 * done)).u8(isFrame ? kFrameImu : kMainImu);
-    for (std::size_t i = 0; i < kAxisCount; ++i)
-        writer.i16(int(std::lround((isFrame ? m_frameRawAcc[i] : m_stabilizer.rawAcc(i)) * kAccCounts)));
-    return writer.u16(0).u8(0).u8(limits).i8(celsius(31)).zeros(20).take();
 }
 
 // What is compiled nobody outside can read, so it runs from the first to the last byte and does nothing.

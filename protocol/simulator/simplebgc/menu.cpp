@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kMenuFlagsSince = 2738;  // of EXECUTE_MENU
 constexpr int kMenuConfirms = 1;
+constexpr int kMenuConfirmsEnd = 2;
 constexpr int kButtonPressed = 22;
 constexpr int kFrameInverted = 1 << 13;  // of board.flags1
 constexpr double kSafeStopTime = 2.0;  // seconds
@@ -27,7 +28,6 @@ constexpr double kLookDown = 90.0;  // degrees
 constexpr double kShakeUnit = 0.01;  // degrees; no document tells it
 constexpr double kTrimPerSignal = 500.0;
 constexpr int kTemperature = 3;  // action of CALIB_ACC and CALIB_GYRO
-constexpr int kOnce = 1;
 
 int axisBit(Axis axis)
 {
@@ -85,15 +85,27 @@ std::span<const SimulatedBoard::MenuEntry> SimulatedBoard::menuEntries()
     return kEntries;
 }
 
+// Without flags it is confirmed, with flags as they say.
 void SimulatedBoard::menu(const Frame &frame)
 {
     const bool hasFlags = m_options.firmware >= kMenuFlagsSince && frame.payload.size() == 2;
     if (!hasFlags && !hasSize(frame, 1))
         return;
-    if (const int refusal = runMenu(quint8(frame.payload[0])))
+    const int flags = hasFlags ? quint8(frame.payload[1]) : kMenuConfirms;
+    if (const int refusal = runMenu(quint8(frame.payload[0]))) {
         refuse(frame, refusal);
-    else if (!hasFlags || quint8(frame.payload[1]) & kMenuConfirms)
+        return;
+    }
+    if (flags & kMenuConfirms)
         confirm(frame);
+    if (flags & kMenuConfirmsEnd)
+        m_menuVersion = frame.version;
+}
+
+void SimulatedBoard::updateMenu()
+{
+    if (m_menuVersion != 0 && !isBusy())
+        sendEnd(CommandId::ExecuteMenu, std::exchange(m_menuVersion, 0), 0);
 }
 
 int SimulatedBoard::runMenu(int action)
@@ -212,7 +224,9 @@ int SimulatedBoard::switchMotorsSafely(int how)
     if (how == SwitchOver && !m_stabilizer.motorsOn())
         return switchMotors(SwitchOn);
     m_autoPid.reset();
-    m_control = {};
+    stopSteering();
+    if (m_frequencyTest.axis >= 0)
+        endFrequencyTest(kWrongState);
     if (m_stabilizer.motorsOn())
         m_modes.safeStopLeft = kSafeStopTime;
     return 0;
@@ -240,7 +254,8 @@ int SimulatedBoard::tuneAll(int /*argument*/)
 {
     if (isBusy())
         return kWrongState;
-    startAutoPid(kAllAxes | AutoPidKeepCurrent, kMiddleStability);
+    startAutoPid(CommandId::AutoPid, kAllAxes | AutoPidKeepCurrent,
+                 {kMiddleStability, kMiddleStability, kMiddleStability});
     return 0;
 }
 
@@ -432,9 +447,9 @@ void SimulatedBoard::updateModes()
 void SimulatedBoard::tellEvent(Event event, int type)
 {
     for (const Stream &stream : m_streams) {
-        if (stream.request.command == number(kEventMessage) && quint8(stream.request.config[0]) == event
+        if (stream.request.command == number(CommandId::Event) && quint8(stream.request.config[0]) == event
             && quint8(stream.request.config[1]) & type)
-            send(kEventMessage, ByteWriter().u8(event).u8(type).zeros(2).take(), stream.version);
+            send(CommandId::Event, ByteWriter().u8(event).u8(type).zeros(2).take(), stream.version);
     }
 }
 

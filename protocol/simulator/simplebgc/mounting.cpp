@@ -51,6 +51,11 @@ bool SimulatedBoard::handleMotors(const Frame &frame)
         startEncoderCalibration(frame);
         return true;
     case CommandId::CalibExtGain: startGainCalibration(frame); return true;
+    case CommandId::CalibCogging:
+        if (m_options.firmware < kLater)
+            return false;
+        startRippleCalibration(frame);
+        return true;
     case CommandId::CalibMag:
         if (isFitted("magnetometer"))
             startMagCalibration(frame);
@@ -69,12 +74,15 @@ bool SimulatedBoard::handleMotors(const Frame &frame)
         confirm(frame);  // nothing is connected to it
         return true;
     }
-    case CommandId::ServoOut: return frame.payload.size() == 16;
     case CommandId::ReadStateVars: {
         if (m_options.firmware < kLater)
             return false;
         ByteWriter writer;
-        writer.zeros(6).u8(m_emergency ? m_emergencyCause : 0).u8(16).u32(quint32(m_now)).u16(m_starts);
+        writer.zeros(6)
+            .u8(m_emergency ? m_emergencyCause : 0)
+            .u8(16)
+            .u32(quint32(m_now - m_countedFrom))
+            .u16(m_starts);
         writer.u16(int(std::lround(1000 * m_mostCurrent)))
             .i8(20)
             .i8(celsius(31))
@@ -91,8 +99,10 @@ bool SimulatedBoard::handleMotors(const Frame &frame)
         if (m_options.firmware < kLater)
             return false;
         if (hasSize(frame, 192)) {
-            m_starts = 0;
-            m_mostCurrent = 0;
+            reader.skip(8);
+            m_countedFrom = m_now - reader.u32();
+            m_starts = reader.u16();
+            m_mostCurrent = reader.u16() / 1000.0;
             confirm(frame);
         }
         return true;
@@ -153,8 +163,8 @@ bool SimulatedBoard::handleMotors(const Frame &frame)
 
 bool SimulatedBoard::isBusy() const
 {
-    return m_calibration.left > 0 || m_autoPid || m_motorCalibration.until > 0 || m_magCalibration.until > 0
-        || m_modes.byHandUntil > 0 || m_modes.safeStopLeft > 0;
+    return m_calibration.left > 0 || m_autoPid || m_frequencyTest.axis >= 0 || m_motorCalibration.until > 0
+        || m_magCalibration.until > 0 || m_modes.byHandUntil > 0 || m_modes.safeStopLeft > 0;
 }
 
 bool SimulatedBoard::isStepping() const
@@ -277,6 +287,8 @@ void SimulatedBoard::startGainCalibration(const Frame &frame)
 
 int SimulatedBoard::calibrationMode() const
 {
+    if (m_calibration.left > 0 && m_calibration.command == CommandId::CalibAccExtRef)
+        return 23;
     if (m_calibration.left > 0) {
         const bool isAcc = m_calibration.command == CommandId::CalibAcc;
         return m_calibration.action == 3 ? (isAcc ? 11 : 10) : isAcc ? 4 : 5;
@@ -287,6 +299,8 @@ int SimulatedBoard::calibrationMode() const
         return 24;
     if (m_autoPid)
         return 8;
+    if (m_frequencyTest.axis >= 0)
+        return 9;
     if (m_magCalibration.until > 0)
         return 12;
     if (m_motorCalibration.until <= 0)
@@ -296,6 +310,7 @@ int SimulatedBoard::calibrationMode() const
     case CommandId::CalibPoles: return 3;
     case CommandId::EncodersCalibOffset: return 6;
     case CommandId::EncodersCalibFldOffset: return 7;
+    case CommandId::CalibCogging: return 22;
     default: return 15;
     }
 }
@@ -383,6 +398,7 @@ int SimulatedBoard::finishMotorCalibration()
         storeEncoders();
         return 0;
     case CommandId::CalibPoles: return storePoles();
+    case CommandId::CalibCogging: storeRipple(); return 0;
     default: storeMotors(); return 0;
     }
 }

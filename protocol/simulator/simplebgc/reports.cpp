@@ -28,17 +28,6 @@ quint32 laterCustomFlags(int firmware)
     return firmware < 2680 ? 0 : firmware < 2730 ? kFirst : kFirst | kSecond;
 }
 
-// Roll about x, pitch about y, yaw about z, applied in the order yaw, pitch, roll.
-template <typename Angle> std::array<double, 4> attitude(Angle angle)
-{
-    const auto half = [&](Axis axis) { return radians(angle(axis)) / 2.0; };
-    const double cr = std::cos(half(Axis::Roll)), sr = std::sin(half(Axis::Roll));
-    const double cp = std::cos(half(Axis::Pitch)), sp = std::sin(half(Axis::Pitch));
-    const double cy = std::cos(half(Axis::Yaw)), sy = std::sin(half(Axis::Yaw));
-    return {cr * cp * cy + sr * sp * sy, sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy,
-            cr * cp * sy - sr * sp * cy};
-}
-
 }  // namespace
 
 int SimulatedBoard::celsius(int normal) const
@@ -164,13 +153,11 @@ QByteArray SimulatedBoard::realtimeCustom(quint32 flags) const
     if (flags & 16)
         each([&](Axis axis) { return toCount16(s.gyro(axis), kGyroUnit); });
     if (flags & 32)
-        writer.zeros(12);
+        writer.bytes(rcData());
     if (flags & 64)
         writer.bytes(attitudeVectors());
-    if (flags & 128) {
-        for (int i = 0; i < 18; ++i)
-            writer.i16(-32768);  // no receiver
-    }
+    if (flags & 128)
+        writer.bytes(rcChannels());
     if (flags & 256) {
         for (std::size_t i = 0; i < kAxisCount; ++i)
             writer.i16(toCount16(ownAcc(i), kAccUnit));
@@ -192,10 +179,13 @@ QByteArray SimulatedBoard::laterFields(quint32 flags) const
     const auto estimate = [&s](Axis axis) { return s.estimate(axis); };
     const auto target = [&s](Axis axis) { return s.target(axis); };
     const auto joint = [this](Axis axis) { return motorAngle(axis); };
+    const auto attitude = [](auto &&degrees) {
+        return attitudeAt({degrees(Axis::Roll), degrees(Axis::Pitch), degrees(Axis::Yaw)});
+    };
     if (has(9))
         writer.zeros(8);
-    if (has(10))  // both references are the internal sensors; the main one is present and working
-        writer.u8(0xC9).u8(0).u8(2).zeros(23);
+    if (has(10))
+        writer.bytes(referenceInfo());
     if (has(11)) {
         for (const Axis axis : kAxes) {
             const auto count = quint32(std::lround(encoderReading(axis) / 360.0 * 16777216.0)) & 0xFFFFFF;
@@ -293,7 +283,8 @@ std::vector<std::vector<double>> SimulatedBoard::debugValues() const
             {31},
             {800},
             {m_now * 1000.0},
-            {motorAngle(Axis::Yaw)}};
+            {motorAngle(Axis::Yaw)},
+            std::vector<double>(m_servos.begin(), m_servos.end())};
 }
 
 }  // namespace simplebgc

@@ -152,6 +152,12 @@ double SimulatedBoard::ownAcc(std::size_t axis) const
         + seat.up[axis] * m_stabilizer.calibratedAcc(2);
 }
 
+std::array<double, kAxisCount> SimulatedBoard::fromSensor(const std::array<double, kAxisCount> &own) const
+{
+    const SensorSeat seat = seatOf(m_options.faults.mount);
+    return {dot(seat.right, own), dot(seat.front, own), dot(seat.up, own)};
+}
+
 bool SimulatedBoard::isRead(Axis axis) const
 {
     return isFitted("encoders") && int(axisValue("encoder.%a.type", axis)) == kEncoderType;
@@ -240,14 +246,14 @@ double SimulatedBoard::frameAngle(Axis axis) const
     const double angle = m_stabilizer.hand().angle(axis);
     if (m_now < m_frameToldUntil)
         return m_frameTold[std::size_t(axis)];
-    if (isFrameSensor() && axis != Axis::Yaw) {
+    if (isFrameSensor()) {
+        if (axis == Axis::Yaw)
+            return angle;
         // Gravity is measured as far off as the accelerometer is.
         const double right = m_frameImu.accError[0] - m_frameImu.accCorrection[0];
         const double front = m_frameImu.accError[1] - m_frameImu.accCorrection[1];
         return angle + degrees(axis == Axis::Roll ? right : -front);
     }
-    if (m_hasFrameSensor)
-        return angle;
     if (!isFitted("fc") || axis == Axis::Yaw)
         return 0;
     // The gain is the angle of a full signal: an assumption, its unit is in no document.

@@ -16,6 +16,8 @@ namespace {
 
 constexpr int kFirstApiSource = 129;  // errata 4.3
 constexpr int kLastApiSource = 159;
+constexpr int kSerialSources = 64;  // and the number of the channel
+constexpr int kToldChannels = 18;
 constexpr int kLastPin = 5;
 constexpr int kUndefined = -10000;
 constexpr int kFineUndefined = -32768;
@@ -174,6 +176,25 @@ QByteArray SimulatedBoard::slotState(const Frame &frame) const
     const int tableId = reader.u8();
     writer.i16(fine(stick)).u8(action).i16(fine(signal(source))).f32(float(adjVar(id).value_or(0)));
     return writer.i16(fine(signal(table))).f32(float(adjVar(tableId).value_or(0))).take();
+}
+
+// As REALTIME_DATA_CUSTOM tells them (errata 3.9).
+QByteArray SimulatedBoard::rcData() const
+{
+    ByteWriter writer;
+    for (const char *input : {"roll", "pitch", "yaw", "cmd"})
+        writer.i16(fine(rcInput(QLatin1String(input))));
+    for (const int pin : {kFcRollPin, kFcPitchPin})
+        writer.i16(fine(signal(pin)));
+    return writer.take();
+}
+
+QByteArray SimulatedBoard::rcChannels() const
+{
+    ByteWriter writer;
+    for (int i = 1; i <= kToldChannels; ++i)
+        writer.i16(fine(signal(kSerialSources + i)));
+    return writer.take();
 }
 
 QByteArray SimulatedBoard::rcInputs(const Frame &frame)

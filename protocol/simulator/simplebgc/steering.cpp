@@ -21,19 +21,14 @@ void SimulatedBoard::control(const Frame &frame)
     for (std::size_t i = 0; i < kAxisCount; ++i) {
         const ControlAxis &wanted = (*command)[i];
         const int mode = wanted.mode & 0x0F;
-        if (mode == Ignore)
-            continue;
-        m_control[i] = wanted;
         const double unit = wanted.mode & ControlHighResSpeed ? kFineSpeedUnit : kControlSpeedUnit;
-        const double speed = wanted.speed * unit;
-        m_moveSpeed[i]
-            = mode == Speed || wanted.speed != 0 ? speed : std::max(5.0, axisValue("rc.%a.speed", kAxes[i]));
-        m_destination[i] = mode == Rc ? wanted.angle / 500.0 * axisValue("rc.%a.max_angle", kAxes[i])
-            : mode == RcHighRes       ? wanted.angle / 16384.0 * axisValue("rc.%a.max_angle", kAxes[i])
-                                      : wanted.angle * kDegreesPerCount;
-        m_taskRunning |= (wanted.mode & ControlAutoTask) && (mode == Angle || mode == AngleRelFrame);
+        steerAxis(i, wanted, wanted.speed * unit,
+                  mode == Rc              ? wanted.angle / 500.0 * axisValue("rc.%a.max_angle", kAxes[i])
+                      : mode == RcHighRes ? wanted.angle / 16384.0 * axisValue("rc.%a.max_angle", kAxes[i])
+                                          : wanted.angle * kDegreesPerCount);
     }
-    confirm(frame);
+    if (!m_steeringLimits.isSilent)
+        confirm(frame);
 }
 
 }  // namespace simplebgc

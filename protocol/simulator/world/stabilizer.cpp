@@ -182,9 +182,14 @@ void Stabilizer::step()
         const double poleFactor
             = axis.gains.poles <= 0 ? 0.0 : std::min(3.0, double(kTruePoles) / axis.gains.poles);
         const std::size_t turned = index(motorAt(axis.plug));
-        const double strength = m_axes[turned].plant.motorStrength();
+        const AxisPlant &motor = m_axes[turned].plant;
+        const double strength = motor.motorStrength();
         const double limit = axis.gains.power * strength * m_voltage / kNominalVoltage;
-        const double command = driven ? std::clamp(axis.command * poleFactor, -limit, limit) : 0.0;
+        const AxisMechanics &mechanics = motor.mechanics();
+        const double ripple = mechanics.cogging * std::sin(radians(motor.jointAngle()) * mechanics.poles)
+            / mechanics.fullTorque;
+        const double wanted = (axis.command + axis.stimulus - axis.rippleKnown * ripple) * poleFactor;
+        const double command = driven ? std::clamp(wanted, -limit, limit) : 0.0;
         axis.torque = axis.gains.inverted ? -command : command;
         torque[turned] += axis.torque * axis.field;
         axis.effort = driven ? axis.gains.power : 0.0;

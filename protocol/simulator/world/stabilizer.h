@@ -117,6 +117,12 @@ public:
     /// Motor effort 0..1 of full power.
     [[nodiscard]] double effort(Axis axis) const { return m_axes[index(axis)].effort; }
     [[nodiscard]] double torque(Axis axis) const { return m_axes[index(axis)].torque; }
+    /// What the controller asks of the motor, 1 is all of its torque.
+    [[nodiscard]] double command(Axis axis) const { return m_axes[index(axis)].command; }
+    /// Added to that, to see what the plant answers.
+    void setStimulus(Axis axis, double torque) { m_axes[index(axis)].stimulus = torque; }
+    /// Share of the ripple of the motor's magnets that is known and taken out.
+    void setRippleKnown(Axis axis, double share) { m_axes[index(axis)].rippleKnown = share; }
     [[nodiscard]] double current() const { return m_current; }
     SimulatedImu &imu() { return m_imu; }
     HandShake &hand() { return m_hand; }
@@ -145,6 +151,8 @@ private:
         double rawGyro = 0;
         double gyroFiltered = 0;
         double command = 0;  // computed in the last cycle, takes effect now: the loop's delay
+        double stimulus = 0;  // added to it
+        double rippleKnown = 0;
         double effort = 0;
         double torque = 0;
         double field = 1;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "protocol/record/responsecsv.h"
+#include "protocol/base/responsecsv.h"
 
 #include "protocol/base/filefault.h"
 
