@@ -4864,6 +4864,50 @@
         <source>there is no calibration in this file</source>
         <translation>in dieser Datei ist keine Kalibrierung</translation>
     </message>
+    <message>
+        <source>the board has not told yet whether its motors run</source>
+        <translation>das Board hat noch nicht gemeldet, ob seine Motoren laufen</translation>
+    </message>
+    <message>
+        <source>no axis is chosen</source>
+        <translation>keine Achse ist gewählt</translation>
+    </message>
+    <message>
+        <source>the camera is %1° away from the attitude that it was steered to</source>
+        <translation>die Kamera ist %1° von der Lage entfernt, in die sie gesteuert wurde</translation>
+    </message>
+    <message>
+        <source>what came out has nothing to do with what went in: the stimulus is too weak</source>
+        <translation>was herauskam, hat mit dem, was hineinging, nichts zu tun: die Anregung ist zu schwach</translation>
+    </message>
+    <message>
+        <source>the board was told to stop shaking the axis, without proof: switch the motors off</source>
+        <translation>dem Board wurde gesagt, die Achse nicht mehr zu rütteln, ohne Beweis: Motoren ausschalten</translation>
+    </message>
+    <message>
+        <source>the highest frequency has to be above the lowest</source>
+        <translation>die höchste Frequenz muss über der niedrigsten liegen</translation>
+    </message>
+    <message>
+        <source>%1 of the frames with samples were lost</source>
+        <translation>%1 der Rahmen mit Messwerten gingen verloren</translation>
+    </message>
+    <message>
+        <source>a sensor at rest measures 1 g in all, and the reference has %1 g</source>
+        <translation>ein ruhender Sensor misst insgesamt 1 g, und die Vorgabe hat %1 g</translation>
+    </message>
+    <message>
+        <source>the sensor does not stand still</source>
+        <translation>der Sensor steht nicht still</translation>
+    </message>
+    <message>
+        <source>the accelerometer is %1 g away from the reference</source>
+        <translation>der Beschleunigungssensor ist %1 g von der Vorgabe entfernt</translation>
+    </message>
+    <message>
+        <source>the board still counts %1 starts</source>
+        <translation>das Board zählt noch immer %1 Starts</translation>
+    </message>
 </context>
 <context>
     <name>ErrorText</name>
@@ -5820,6 +5864,18 @@
     <message>
         <source>Searching the board&apos;s files</source>
         <translation>Die Dateien des Boards werden gesucht</translation>
+    </message>
+    <message>
+        <source>Measuring the frequency response</source>
+        <translation>Frequenzgang wird gemessen</translation>
+    </message>
+    <message>
+        <source>Searching gains by axis</source>
+        <translation>Verstärkungen werden je Achse gesucht</translation>
+    </message>
+    <message>
+        <source>Waiting for events</source>
+        <translation>Warten auf Ereignisse</translation>
     </message>
 </context>
 <context>
@@ -21881,6 +21937,222 @@ Spitze %2°</translation>
     <message>
         <source>ports change from %1 to %2: the drone may not be heard at its present address any more</source>
         <translation>die Ports ändern sich von %1 zu %2: Die Drohne ist an ihrer jetzigen Adresse vielleicht nicht mehr zu hören</translation>
+    </message>
+    <message>
+        <source>A pulse at one output, also of a CAN driver; 0 holds it low, -1 frees it.</source>
+        <translation>Ein Impuls an einem Ausgang, auch an dem eines CAN-Treibers; 0 hält ihn auf low, -1 gibt ihn frei.</translation>
+    </message>
+    <message>
+        <source>Acceleration (0 = no limit)</source>
+        <translation>Beschleunigung (0 = ohne Grenze)</translation>
+    </message>
+    <message>
+        <source>Accelerometer by reference</source>
+        <translation>Beschleunigungssensor nach Vorgabe</translation>
+    </message>
+    <message>
+        <source>Angles and motion of the frame, and how far each axis is off its target.</source>
+        <translation>Winkel und Bewegung des Rahmens, und wie weit jede Achse von ihrem Ziel entfernt ist.</translation>
+    </message>
+    <message>
+        <source>As real numbers</source>
+        <translation>Als reelle Zahlen</translation>
+    </message>
+    <message>
+        <source>Auto-tune by axis</source>
+        <translation>Auto-Abstimmung je Achse</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Follow events</source>
+        <translation>Ereignisse verfolgen</translation>
+    </message>
+    <message>
+        <source>Highest frequency</source>
+        <translation>Höchste Frequenz</translation>
+    </message>
+    <message>
+        <source>How fast steering may speed up, and whether it ends where no command comes any more. Until the next start.</source>
+        <translation>Wie schnell das Lenken beschleunigen darf und ob es endet, wenn kein Befehl mehr kommt. Gilt bis zum nächsten Start.</translation>
+    </message>
+    <message>
+        <source>In finer steps</source>
+        <translation>In feineren Schritten</translation>
+    </message>
+    <message>
+        <source>Learn cogging of motors</source>
+        <translation>Rastmomente der Motoren lernen</translation>
+    </message>
+    <message>
+        <source>Limit steering</source>
+        <translation>Lenken begrenzen</translation>
+    </message>
+    <message>
+        <source>List adjustable variables</source>
+        <translation>Live-Variablen auflisten</translation>
+    </message>
+    <message>
+        <source>Lowest frequency</source>
+        <translation>Niedrigste Frequenz</translation>
+    </message>
+    <message>
+        <source>Measure frequency response</source>
+        <translation>Frequenzgang messen</translation>
+    </message>
+    <message>
+        <source>Notch filters to find</source>
+        <translation>Zu findende Kerbfilter</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Pitch: acceleration (0 = no limit)</source>
+        <translation>Pitch: Beschleunigung (0 = ohne Grenze)</translation>
+    </message>
+    <message>
+        <source>Read calibration of a sensor</source>
+        <translation>Kalibrierung eines Sensors lesen</translation>
+    </message>
+    <message>
+        <source>Read control of the attitude</source>
+        <translation>Lenken der Lage lesen</translation>
+    </message>
+    <message>
+        <source>Read further live data</source>
+        <translation>Weitere Live-Daten lesen</translation>
+    </message>
+    <message>
+        <source>Read references of the sensors</source>
+        <translation>Bezüge der Sensoren lesen</translation>
+    </message>
+    <message>
+        <source>Reset statistics</source>
+        <translation>Statistik zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Roll: acceleration (0 = no limit)</source>
+        <translation>Roll: Beschleunigung (0 = ohne Grenze)</translation>
+    </message>
+    <message>
+        <source>Set one servo output</source>
+        <translation>Einen Servo-Ausgang setzen</translation>
+    </message>
+    <message>
+        <source>Steer to an attitude</source>
+        <translation>In eine Lage lenken</translation>
+    </message>
+    <message>
+        <source>Stimulus</source>
+        <translation>Anregung</translation>
+    </message>
+    <message>
+        <source>Strength of the stimulus</source>
+        <translation>Stärke der Anregung</translation>
+    </message>
+    <message>
+        <source>Tells the board what its accelerometer measures in this position, which another sensor knows.</source>
+        <translation>Sagt dem Board, was sein Beschleunigungssensor in dieser Lage misst, weil ein anderer Sensor es weiß.</translation>
+    </message>
+    <message>
+        <source>The board shakes an axis and tells what went in and what came out; the file opens on the page Response.</source>
+        <translation>Das Board rüttelt eine Achse und meldet, was hineinging und was herauskam; die Datei lässt sich auf der Seite Antwort öffnen.</translation>
+    </message>
+    <message>
+        <source>The board turns each motor slowly and learns the ripple of its magnets, which it then takes out; or it forgets it.</source>
+        <translation>Das Board dreht jeden Motor langsam und lernt die Welligkeit seiner Magnete, die es danach ausgleicht; oder es vergisst sie wieder.</translation>
+    </message>
+    <message>
+        <source>The board&apos;s own names, with range and value in use.</source>
+        <translation>Die Namen, die das Board selbst hat, mit Bereich und benutztem Wert.</translation>
+    </message>
+    <message>
+        <source>The newer search of gains: its settings stay in the board. It moves the camera, and reports nothing on its way.</source>
+        <translation>Die neuere Suche der Verstärkungen; ihre Einstellungen bleiben im Board. Sie bewegt die Kamera und meldet unterwegs nichts.</translation>
+    </message>
+    <message>
+        <source>Turns the camera to an attitude about one axis in space, the short way, then gives control back.</source>
+        <translation>Dreht die Kamera um eine einzige Achse im Raum und auf dem kurzen Weg in eine Lage und gibt die Steuerung dann zurück.</translation>
+    </message>
+    <message>
+        <source>What a sensor measures, in which positions it was calibrated, and at which temperatures.</source>
+        <translation>Was ein Sensor misst, in welchen Lagen er kalibriert wurde und bei welchen Temperaturen.</translation>
+    </message>
+    <message>
+        <source>What holds attitude and heading of each sensor, and how far off it is.</source>
+        <translation>Was Lage und Richtung jedes Sensors hält und wie weit es abweicht.</translation>
+    </message>
+    <message>
+        <source>What is measured</source>
+        <translation>Was gemessen wird</translation>
+    </message>
+    <message>
+        <source>What the board counts begins at zero again.</source>
+        <translation>Was das Board zählt, beginnt wieder bei null.</translation>
+    </message>
+    <message>
+        <source>What the board tells of by itself: motors, emergency stops, scripts, buttons, the camera.</source>
+        <translation>Was das Board von selbst meldet: Motoren, Notabschaltungen, Skripte, Tasten, die Kamera.</translation>
+    </message>
+    <message>
+        <source>Where the attitude is steered to, how far it is, and at what speed.</source>
+        <translation>Wohin die Lage gelenkt wird, wie weit sie ist und wie schnell.</translation>
+    </message>
+    <message>
+        <source>Without a command, steering ends after (0 = never)</source>
+        <translation>Ohne Befehl endet das Lenken nach (0 = nie)</translation>
+    </message>
+    <message>
+        <source>Yaw: acceleration (0 = no limit)</source>
+        <translation>Yaw: Beschleunigung (0 = ohne Grenze)</translation>
+    </message>
+    <message>
+        <source>controller</source>
+        <translation>Regler</translation>
+    </message>
+    <message>
+        <source>exponential-sweep</source>
+        <translation>exponentieller Durchlauf</translation>
+    </message>
+    <message>
+        <source>forget</source>
+        <translation>vergessen</translation>
+    </message>
+    <message>
+        <source>learn</source>
+        <translation>lernen</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>open-loop</source>
+        <translation>offener Regelkreis</translation>
+    </message>
+    <message>
+        <source>overall</source>
+        <translation>Gesamtsystem</translation>
+    </message>
+    <message>
+        <source>plant</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>plant-closed</source>
+        <translation>Strecke, geschlossen</translation>
+    </message>
+    <message>
+        <source>sweep</source>
+        <translation>Durchlauf</translation>
+    </message>
+    <message>
+        <source>whole-loop</source>
+        <translation>ganzer Regelkreis</translation>
     </message>
 </context>
 <context>

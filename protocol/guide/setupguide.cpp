@@ -242,9 +242,10 @@ Error SetupGuide::takenBack(const Error &why)
 
 Result<void> SetupGuide::requireMotors()
 {
-    if (askMotors(m_channel, m_device) == true)
-        return {};
-    return failure(ErrorCode::Unready, u"the motors are off"_s);
+    const auto run = askMotors(m_channel, m_device);
+    if (!run)
+        return tl::unexpected(run.error());
+    return *run ? Result<void>() : failure(ErrorCode::Unready, u"the motors are off"_s);
 }
 
 // An acknowledgement proves nothing: the board is asked afterwards.

@@ -4,6 +4,7 @@
 
 #include "protocol/device/device.h"
 #include "protocol/device/steering.h"
+#include "protocol/procedure/motorsnow.h"
 #include "protocol/session/channel.h"
 #include "protocol/session/stopplan.h"
 
@@ -178,8 +179,8 @@ Result<void> Run::prepare()
             return failure(ErrorCode::Unready, u"no telemetry of the angles"_s);
         m_middle.inputs.push_back(start);
     }
-    if (m_roles.outputs >= 0 && !(latest(m_roles.outputs) > 0.5))
-        return failure(ErrorCode::Unready, u"the motors are off"_s);
+    if (auto off = findMotorsNotRunning(m_roles, m_telemetry))
+        return tl::unexpected(std::move(*off));
     m_rest = m_middle.inputs[std::size_t(m_input)];
     const double off = std::abs(latest(angle) - m_rest);
     if (m_told && !(off < kStill))

@@ -4,6 +4,7 @@
 
 #include "protocol/analysis/notchadvice.h"
 #include "protocol/analysis/spectrum.h"
+#include "protocol/procedure/motorsnow.h"
 #include "protocol/procedure/trialnote.h"
 #include "protocol/session/channel.h"
 #include "protocol/telemetry/roles.h"
@@ -133,8 +134,8 @@ Result<void> NotchTrial::prepare()
         return failure(ErrorCode::NoBackup);
     if (m_plan.axis == Axis::None || m_roles.gyro[std::size_t(m_plan.axis)] < 0)
         return failure(ErrorCode::Unsupported, u"the board sends no angular rate of this axis"_s);
-    if (m_roles.outputs >= 0 && !(double(m_telemetry.latest(m_roles.outputs)) > 0.5))
-        return failure(ErrorCode::Unready, u"the motors are off"_s);
+    if (auto off = findMotorsNotRunning(m_roles, m_telemetry))
+        return tl::unexpected(std::move(*off));
     return {};
 }
 

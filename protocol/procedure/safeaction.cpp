@@ -368,7 +368,7 @@ Result<void> SafeAction::askBefore()
             m_usedBefore = *std::move(inUse);
     }
     if (m_action.risk != ActionRisk::Safe && !m_action.switchesMotors)
-        m_ranBefore = askMotors(m_channel, m_device);
+        m_ranBefore = motorsIfTold(m_channel, m_device);
     return {};
 }
 

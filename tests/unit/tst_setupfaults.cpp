@@ -97,6 +97,7 @@ class TestSetupFaults final : public QObject
 private slots:
     void aFaultEndsAStep_data();
     void aFaultEndsAStep();
+    void anUnansweredQuestionIsNoAnswer();
 };
 
 void TestSetupFaults::aFaultEndsAStep_data()
@@ -198,6 +199,22 @@ void TestSetupFaults::aFaultEndsAStep()
                                 .arg(value)
                                 .arg(int(result.error().code))
                                 .arg(result.error().detail)));
+}
+
+// What needs running motors asks for them first. That it was cancelled then, or the link breaks, does
+// not mean that they are off.
+void TestSetupFaults::anUnansweredQuestionIsNoAnswer()
+{
+    for (const char *step : {"balance", "vibration", "gains", "limits"}) {
+        SetupBench bench(false, {});
+        bench.board.channel.cancelAfter(0ms);
+        const auto cancelled = bench.run(step);
+        QVERIFY2(!cancelled && cancelled.error().code == ErrorCode::Cancelled, step);
+        SetupBench gone(false, {});
+        gone.world(u"unplug=0"_s);
+        const auto unheard = gone.run(step);
+        QVERIFY2(!unheard && !unheard.error().detail.contains(u"motors"_s), step);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestSetupFaults)

@@ -109,6 +109,7 @@ constexpr const char *kDetails[] = {
     QT_TRANSLATE_NOOP("ErrorDetail", "%1 has no argument '%2'"),
     QT_TRANSLATE_NOOP("ErrorDetail", "this board lacks something for that step"),
     QT_TRANSLATE_NOOP("ErrorDetail", "no telemetry"),
+    QT_TRANSLATE_NOOP("ErrorDetail", "the board has not told yet whether its motors run"),
     QT_TRANSLATE_NOOP("ErrorDetail", "the motors are off"),
     QT_TRANSLATE_NOOP("ErrorDetail", "motors off"),
     QT_TRANSLATE_NOOP("ErrorDetail", "%1 V: that is no battery, only USB feeds the board. Connect the battery"),
