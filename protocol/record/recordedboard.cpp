@@ -136,21 +136,24 @@ QList<QByteArray> RecordedAnswers::find(const QByteArray &request, qint64 at) co
                 return answer;
         }
     }
+    const bool isPacketBased = m_recording.isPacketBased();
     QList<QByteArray> answer;
     bool isAsked = false;
     for (const RecordedPiece &piece : m_recording.opening) {
-        if (piece.kind == RecordedPiece::Kind::Sent && !answer.isEmpty())
+        const bool isSent = piece.kind == RecordedPiece::Kind::Sent;
+        if (isSent && !isPacketBased && !answer.isEmpty())
             break;
-        if (piece.kind == RecordedPiece::Kind::Sent)
-            isAsked = piece.bytes == request;
+        if (isSent)
+            isAsked = piece.bytes == request || (isPacketBased && isAsked);
         else if (isAsked)
             answer.append(piece.bytes);
     }
     return answer;
 }
 
-// In a network heartbeats are sent between a request and its answer, and packets say which question they
-// answer; elsewhere what follows another request is the answer to that one.
+// In a network requests overlap, and are lost: all that was answered within reach is given, and who asks
+// finds what is meant for him, because packets say which question they answer. Elsewhere what follows another
+// request is the answer to that one.
 QList<QByteArray> RecordedAnswers::answerBehind(std::size_t request) const
 {
     const bool isPacketBased = m_recording.isPacketBased();
@@ -158,7 +161,7 @@ QList<QByteArray> RecordedAnswers::answerBehind(std::size_t request) const
     const RecordedPiece *packet = nullptr;
     for (std::size_t i = request + 1; i < m_recording.pieces.size(); ++i) {
         const RecordedPiece &piece = m_recording.pieces[i];
-        const bool isNext = piece.kind == RecordedPiece::Kind::Sent && !(isPacketBased && answer.isEmpty());
+        const bool isNext = piece.kind == RecordedPiece::Kind::Sent && !isPacketBased;
         const bool isLate = isPacketBased && piece.at - m_recording.pieces[request].at > kLatestAnswer;
         // Behind a gap stand the answers to other requests.
         if (isNext || isLate || m_recording.hasGapBefore(i))
@@ -169,7 +172,7 @@ QList<QByteArray> RecordedAnswers::answerBehind(std::size_t request) const
             continue;
         const bool isWhole = isPacketBased && packet && packet->bytes.contains(piece.bytes);
         const QByteArray &bytes = isWhole ? packet->bytes : piece.bytes;
-        if (!isWhole || answer.isEmpty() || answer.last() != bytes)  // a packet may hold two of them
+        if (!isWhole || !answer.contains(bytes))  // a packet may hold two of them
             answer.append(bytes);
     }
     return answer;

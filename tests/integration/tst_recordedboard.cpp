@@ -76,6 +76,7 @@ private slots:
     void readersMeasureTheSame_data() { readersAgree_data(); }
     void readersMeasureTheSame();
     void openingStandsIn();
+    void lostPacketsHideNoAnswer();
     void holesAreTold_data();
     void holesAreTold();
 
@@ -295,6 +296,43 @@ void TestRecordedBoard::openingStandsIn()
     const auto without = readTelemetry(*recording, family, *family.makeDevice());
     QVERIFY(!without);
     QCOMPARE(without.error().code, ErrorCode::BadFile);
+}
+
+// In a network that loses packets, questions overlap: between one and its answer others are answered, and
+// some never are. What is played tells the board all the same.
+void TestRecordedBoard::lostPacketsHideNoAnswer()
+{
+    const QByteArray ping = QByteArray::fromHex("8100000000");
+    const QByteArray beat = QByteArray::fromHex("8112340002");
+    const QByteArray status = QByteArray::fromHex("85");
+    const QByteArray state = QByteArray::fromHex("8500000005");
+    Recording recording;
+    recording.description = {{u"family"_s, u"bcflight"_s}, {u"packets"_s, true}};
+    qint64 at = 0;
+    const auto add = [&](Kind kind, const QByteArray &bytes) {
+        recording.pieces.push_back({kind, at, bytes});
+        at += 50'000'000;
+    };
+    const auto answer = [&](const QByteArray &bytes) {
+        add(Kind::Received, bytes);
+        add(Kind::Reply, bytes);
+    };
+    add(Kind::Sent, ping);
+    add(Kind::Sent, beat);
+    answer(beat);
+    add(Kind::Sent, ping);
+    add(Kind::Sent, status);
+    add(Kind::Sent, beat);
+    answer(state);
+    answer(ping);
+    QVERIFY(RecordedAnswers(recording).find(ping, at).contains(ping));
+    QVERIFY(RecordedAnswers(recording).find(ping, 0).contains(ping));
+    QVERIFY(RecordedAnswers(recording).find(status, 0).contains(state));
+    QVERIFY(RecordedAnswers(recording).find(QByteArray("\x89"), 0).isEmpty());
+    std::swap(recording.opening, recording.pieces);
+    std::erase_if(recording.opening, [](const RecordedPiece &piece) { return piece.kind == Kind::Received; });
+    QVERIFY(RecordedAnswers(recording).find(ping, 0).contains(ping));
+    QVERIFY(RecordedAnswers(recording).find(status, 0).contains(state));
 }
 
 void TestRecordedBoard::holesAreTold_data()
