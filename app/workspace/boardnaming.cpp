@@ -3,6 +3,9 @@
 #include "app/workspace/boardnaming.h"
 
 #include "app/workspace/editjournal.h"
+#include "protocol/session/linkstatistics.h"
+#include "protocol/telemetry/roles.h"
+#include "protocol/telemetry/telemetrystore.h"
 #include "protocol/transport/linkaddress.h"
 
 using namespace Qt::StringLiterals;
@@ -15,6 +18,7 @@ BoardNaming::BoardNaming(DeviceClient &client, BoardHistory &history, EditJourna
     , m_notifications(notifications)
 {
     connect(&client, &DeviceClient::stateChanged, this, &BoardNaming::onState);
+    connect(&client, &DeviceClient::statisticsChanged, this, &BoardNaming::onStatistics);
 }
 
 void BoardNaming::forgetWord()
@@ -34,6 +38,7 @@ void BoardNaming::onState(DeviceClient::State state)
         forgetWord();
     if (state != DeviceClient::State::Connected || m_client.address().isReplay())
         return;
+    m_sameSince = Clock::now();
     if (const auto names = m_history.checkNames(); !names)
         m_notifications.report(names.error());
     const auto known = m_history.meet(m_client.identity());
@@ -58,6 +63,24 @@ void BoardNaming::onState(DeviceClient::State state)
                                    .arg(name()),
                                Notice::Hint);
     }
+}
+
+// Another network with the same address is joined within two seconds. A board that is armed still is the one
+// that was armed.
+void BoardNaming::onStatistics()
+{
+    const auto backAt = m_client.statistics().backAt;
+    const int armed = m_client.roles().armed;
+    if (!backAt || *backAt <= m_sameSince || !isNeeded())
+        return;
+    if (armed >= 0 && m_client.telemetry()->latestAt(armed) < *backAt)
+        return;
+    m_sameSince = *backAt;
+    if (armed >= 0 && m_client.telemetry()->latest(armed) > 0.5F)
+        return;
+    m_isSaid = false;
+    m_passing.clear();
+    emit changed();
 }
 
 void BoardNaming::ask(const QString &text)
@@ -129,6 +152,7 @@ Result<void> BoardNaming::choose(const QString &name)
     m_journal.moveWith([&] { chosen = m_history.choose(m_client.identity(), name); });
     if (chosen) {
         m_isSaid = true;
+        m_sameSince = Clock::now();
         emit changed();
     }
     return chosen;

@@ -23,7 +23,8 @@ public:
     /// The boards of its family that have a name, those that look like it first.
     [[nodiscard]] QStringList names() const;
     /// It is the board that it is taken for: by its number, or by the operator's word since this connection
-    /// was made. Only a restart that was ordered from here leaves that as it is, no loss of the link does.
+    /// was made. Only a restart that was ordered from here leaves that as it is; no loss of the link does,
+    /// nor a silence long enough for another one to answer after it, unless the board is armed as before.
     [[nodiscard]] bool isCertain() const;
     /// By what something that is dangerous with another board is kept about this one: its number, or its look
     /// and the name that the operator has given it. Empty: it may be any that looks like it.
@@ -49,6 +50,7 @@ signals:
 
 private:
     void onState(DeviceClient::State state);
+    void onStatistics();
     void forgetWord();
     void ask(const QString &text);
 
@@ -58,6 +60,7 @@ private:
     Notifications &m_notifications;
     bool m_asked = false;
     bool m_isSaid = false;  // since this connection was made: which board it is
+    TimePoint m_sameSince{};  // no other one can have come in between
     QHash<QByteArray, QByteArray> m_passing;
     QSet<QString> m_later;  // boards about which it is not asked again
 };

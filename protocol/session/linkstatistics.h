@@ -20,6 +20,8 @@ struct LinkStatistics
     std::optional<ProbedLink> quality;  ///< where the board answers heartbeats
     /// Since the last byte, where a link ends by silence; what was announced does not count.
     Duration silence{};
+    /// When it last came back from a silence that degraded the link; empty: there was none.
+    std::optional<TimePoint> backAt;
     static constexpr auto kDegraded = 1s;
     /// It still stands, but nothing has come for a while.
     [[nodiscard]] bool isDegraded() const { return silence >= kDegraded; }

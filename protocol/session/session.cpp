@@ -90,6 +90,7 @@ void Session::open(const LinkAddress &address, std::unique_ptr<Framer> framer, L
     });
     connect(m_transport.get(), &Transport::opened, this, [this] {
         m_open = true;
+        m_backAt.reset();
         m_arrival = m_nextBeat = m_nextBlindStop = m_silentUntil = Clock::now();
         qCInfo(logSession) << "link open";
         schedule();
@@ -272,7 +273,8 @@ LinkStatistics Session::statistics() const
     if (m_probe)
         statistics.quality = m_probe->quality(now);
     if (m_open && m_timing.silenceLimit > 0ms)
-        statistics.silence = std::max(Duration{}, now - std::max(m_arrival, m_silentUntil));
+        statistics.silence = silenceAt(now);
+    statistics.backAt = m_backAt;
     // Nine full slots: the current one is still filling.
     const qint64 slot = slotOf(now);
     quint64 frames = 0;
@@ -282,6 +284,12 @@ LinkStatistics Session::statistics() const
     }
     statistics.framesPerSecond = double(frames) / (0.1 * double(m_rateSlots.size() - 1));
     return statistics;
+}
+
+// What was announced does not count.
+Duration Session::silenceAt(TimePoint now) const
+{
+    return std::max(Duration{}, now - std::max(m_arrival, m_silentUntil));
 }
 
 LinkObservation Session::observation() const
@@ -299,6 +307,8 @@ void Session::onReceived(QByteArrayView bytes, TimePoint at)
         m_framer->flush(m_sink);
     if (m_observed.bytesIn > 0)
         m_observed.noteArrival(m_arrival, at);
+    if (m_timing.silenceLimit > 0ms && silenceAt(at) >= LinkStatistics::kDegraded)
+        m_backAt = at;
     m_arrival = at;
     for (FrameListener *listener : m_listeners)
         listener->bytesReceived(bytes, at);

@@ -110,6 +110,7 @@ private:
     void beat(TimePoint now);
     void stopBlindly(TimePoint now);
     [[nodiscard]] TimePoint lostAt() const;
+    [[nodiscard]] Duration silenceAt(TimePoint now) const;
     [[nodiscard]] std::optional<TimePoint> pollAt() const;
 
     TransportFactory m_makeTransport;
@@ -141,6 +142,7 @@ private:
     TimePoint m_silentUntil{};  // silence is expected until then
     bool m_open = false;
     TimePoint m_arrival{};
+    std::optional<TimePoint> m_backAt;  // from a silence
     LinkObservation m_observed;  // but for the framer's part
     quint64 m_bytesOut = 0;
     // Frame rate over the last second, in slots of 100 ms.

@@ -71,6 +71,7 @@ private slots:
     void checkedIsADroneThatIsKnown();
     void checkIsOfWhatWasReadNow();
     void exchangedDroneIsAskedAbout();
+    void silenceIsAskedAbout();
     void lookalikeIsAskedAbout();
     void replaysStartNoMotors();
     void anotherIsConnectedAfterOneWasLost();
@@ -455,6 +456,21 @@ void TestBcflightWindow::exchangedDroneIsAskedAbout()
     QVERIFY(!m_rig->workspace().naming().isCertain());
     QCOMPARE(checkedDirections(m_rig->workspace()).level, CheckedDirections::Level::Nothing);
     QTRY_VERIFY_WITH_TIMEOUT(flight->directions()->sameButton()->isVisible(), kPatience);
+}
+
+// A silence that does not end the link is long enough for another one to answer after it.
+void TestBcflightWindow::silenceIsAskedAbout()
+{
+    SimProcess drone({u"--udp"_s, u"0"_s}, u"bcflight"_s);
+    QVERIFY(m_rig->open(drone.address()));
+    QTRY_VERIFY_WITH_TIMEOUT(!axesKey(m_rig->workspace()).isEmpty(), kPatience);
+    BoardNaming &naming = m_rig->workspace().naming();
+    QVERIFY(naming.choose(u"Mine"_s) && naming.isCertain());
+    drone.process().write("replug=1.5\nunplug=0\n");
+    QTRY_VERIFY_WITH_TIMEOUT(!naming.isCertain(), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), kPatience);
+    QCOMPARE(naming.name(), u"Mine"_s);
+    QVERIFY(naming.choose(u"Mine"_s) && naming.isCertain());
 }
 
 // It inherits the name, and neither the check nor, unasked, the snapshots.

@@ -547,8 +547,11 @@ void TestSession::silenceIsMeasured()
     m_session->open({}, std::make_unique<ByteFramer>(), timing);
     QVERIFY(!m_session->statistics().isDegraded());
     QTRY_VERIFY(m_session->statistics().isDegraded());
+    QVERIFY(!m_session->statistics().backAt);
+    const TimePoint silent = Clock::now();
     m_transport->answer('x', 0ms);
     QTRY_VERIFY(!m_session->statistics().isDegraded());
+    QVERIFY(m_session->statistics().backAt >= silent);
     m_session->expectSilence(10s);
     QTRY_VERIFY(m_session->statistics().silence == Duration{});
 }
