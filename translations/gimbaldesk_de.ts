@@ -3247,6 +3247,14 @@
         <source>Propellers off: while it is tilted by hand the controller drives motors up to full throttle, whatever the throttle here says.</source>
         <translation>Propeller ab: Während sie mit der Hand geneigt wird, treibt der Regler Motoren bis zu Vollgas, was auch immer das Gas hier anzeigt.</translation>
     </message>
+    <message>
+        <source>The motors are compared once it is turned that way by %1°, and less any other way.</source>
+        <translation>Die Motoren werden verglichen, sobald sie so herum um %1° gedreht ist und anders herum weniger.</translation>
+    </message>
+    <message>
+        <source>The motors are compared once the stick is pushed that way, at least a third.</source>
+        <translation>Die Motoren werden verglichen, sobald der Knüppel so herum wenigstens ein Drittel ausgelenkt ist.</translation>
+    </message>
 </context>
 <context>
     <name>DocumentsPage</name>

@@ -89,6 +89,9 @@ public:
     [[nodiscard]] bool wantsIdle() const { return isArmedStep() && m_idleCount < kIdleCount; }
     /// The outputs were steady: now it may be tilted, or the stick pushed.
     [[nodiscard]] bool isReady() const { return m_isReady; }
+    /// It is tilted, or the stick pushed, as far as is wanted, and no other axis further. Until then the
+    /// outputs are not compared, however much they differ.
+    [[nodiscard]] bool isStimulated() const { return m_isStimulated; }
     /// The stick of this step is sent the other way round since it was answered for the wrong motors.
     [[nodiscard]] bool isReversed() const;
     /// The motors that turned faster than the others when it was tilted, or the stick pushed; from 1. They
@@ -123,7 +126,7 @@ private:
     Axes m_start{};
     int m_idleCount = 0;
     bool m_isStarted = false;
-    bool m_isStimulated = false;  // tilted, or the stick is pushed
+    bool m_isStimulated = false;
     QList<int> m_faster;
     QList<int> m_candidates;  // seen so often in a row
     int m_seenCount = 0;

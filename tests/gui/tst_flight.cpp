@@ -365,7 +365,7 @@ void TestFlight::directionsAreCheckedThenItFlies()
     page().throttle()->setValue(60);  // no more than is allowed for the check
     for (const int tilted : {2, 4, 6}) {
         const int before = step();
-        QTRY_VERIFY_WITH_TIMEOUT(ready(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(ready() && says(u"compared once it is turned that way by 15"_s), kPatience);
         pose(tilted);
         QTRY_VERIFY_WITH_TIMEOUT(card->yesButton()->isVisible(), kPatience);
         // The picture marks the motors that are asked about.
@@ -385,7 +385,7 @@ void TestFlight::directionsAreCheckedThenItFlies()
     for (const bcflight::Controls &controls : tap.take())
         QVERIFY(controls.thrust <= DirectionCheck::kMostThrottle + 0.001);
     for (int axis = 0; axis < 3; ++axis) {
-        QTRY_VERIFY_WITH_TIMEOUT(ready(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(ready() && says(u"compared once the stick is pushed"_s), kPatience);
         push(axis, 100);
         QTRY_VERIFY_WITH_TIMEOUT(card->yesButton()->isVisible(), kPatience);
         QCOMPARE(card->yesButton()->mapTo(card, QPoint()), place);

@@ -646,6 +646,12 @@ void TestArming::directionsAreFoundStepByStep()
     QCOMPARE(check.found().angles, (std::array{-1, 1, -1}));
     check.feedOutputs({0.1, 0.2, 0.1, 0.2});  // without a tilt they say nothing
     QCOMPARE(check.sight(), Sight::Waiting);
+    settle(check);
+    for (const DirectionCheck::Axes &angles : {DirectionCheck::Axes{-12, 0, 0}, {-20, 24, 0}, {-20, 0, 0}}) {
+        check.feedAngles(angles);
+        QCOMPARE(check.isStimulated(), angles == (DirectionCheck::Axes{-20, 0, 0}));
+    }
+    check = withSigns();
     check.answer(true);
     QCOMPARE(check.stepNumber(), 6);
     for (std::size_t axis = 0; axis < 3; ++axis)

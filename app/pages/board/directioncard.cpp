@@ -381,6 +381,20 @@ std::array<int, kAxisCount> DirectionCard::sizes() const
     return sizes;
 }
 
+QString DirectionCard::waitsFor(const DirectionCheck::Step &step) const
+{
+    if (!m_check->isReady())
+        return tr("Hold it level and let the sticks go until the motors turn steadily. If they do not, "
+                  "disarm and arm again.");
+    if (m_check->isStimulated())
+        return tr("No motor turns faster than the others yet.");
+    const QString degrees = numberLocale().toString(DirectionCheck::kTilt, 'f', 0);
+    return step.kind == Kind::TiltAnswer
+        ? tr("The motors are compared once it is turned that way by %1°, and less any other way.")
+              .arg(degrees)
+        : tr("The motors are compared once the stick is pushed that way, at least a third.");
+}
+
 QString DirectionCard::sees() const
 {
     const auto step = m_check->step();
@@ -405,11 +419,7 @@ QString DirectionCard::sees() const
                 "turn steadily, then push it again.");
         const QString reversed
             = m_check->isReversed() ? tr("This stick is sent the other way.") + u' ' : QString();
-        return again + reversed
-            + (m_check->isReady()
-                   ? tr("No motor turns faster than the others yet.")
-                   : tr("Hold it level and let the sticks go until the motors turn steadily. If they do not, "
-                        "disarm and arm again."));
+        return again + reversed + waitsFor(*step);
     }
     if (sight == DirectionCheck::Sight::Other)
         return step->kind == Kind::Tilt

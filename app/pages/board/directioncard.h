@@ -65,6 +65,8 @@ private:
     [[nodiscard]] QString presumedText() const;
     void answer(bool isRight);
     [[nodiscard]] QString sees() const;
+    /// What is missing until the motors of this step are compared.
+    [[nodiscard]] QString waitsFor(const DirectionCheck::Step &step) const;
     [[nodiscard]] QString handsText() const;
     [[nodiscard]] QString question() const;
 
