@@ -22386,6 +22386,10 @@ vorher</translation>
         <source>Values in use are not stored</source>
         <translation>Verwendete Werte sind nicht gespeichert</translation>
     </message>
+    <message>
+        <source>In use: as in the board&apos;s text</source>
+        <translation>In Gebrauch: wie im Text des Boards</translation>
+    </message>
 </context>
 <context>
     <name>UnsavedBar</name>

@@ -93,6 +93,8 @@ public:
     QFuture<Result<WholeMemory::Contents>> compareStored();
     /// It has been, on this link: values that were in use before count as well.
     [[nodiscard]] bool isStoredKnown() const { return m_storedKnown; }
+    /// The board keeps a text of what it starts with, and uses just that.
+    [[nodiscard]] bool usesItsText() const { return m_isTextOlder == false; }
     void useProfile(int profile);
     /// Opens a configuration without a board, to look at and to edit, or a recording as a link. Errors:
     /// BadFile.
@@ -182,7 +184,7 @@ public:
     /// Beyond the values to tune with, which can be put back one by one.
     [[nodiscard]] bool isUnstored() const
     {
-        return m_unstored || m_isTextOlder || m_live.changeCount() > m_live.tunedCount();
+        return m_unstored || m_isTextOlder.value_or(false) || m_live.changeCount() > m_live.tunedCount();
     }
     /// True, false, or nothing while telemetry is missing or old.
     [[nodiscard]] std::optional<bool> motorsRunning() const;
@@ -295,7 +297,7 @@ private:
     QString m_videoRecording;
     Gamepad m_gamepad;
     bool m_unstored = false;
-    bool m_isTextOlder = false;  // than what the board uses (Configuration::usesUnstored)
+    std::optional<bool> m_isTextOlder;  // than what the board uses (Configuration::usesUnstored)
     bool m_storedKnown = false;
     bool m_guided = false;
     bool m_flown = false;

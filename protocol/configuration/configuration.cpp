@@ -153,12 +153,21 @@ std::optional<double> Configuration::startsWith(const ParameterSpec &spec) const
     return spec.row->startsWith ? spec.row->startsWith(*this, spec) : std::nullopt;
 }
 
-bool Configuration::usesUnstored() const
+std::optional<bool> Configuration::usesUnstored() const
 {
-    return !isEmpty() && std::ranges::any_of(parameters().all(), [this](const ParameterSpec &spec) {
+    if (isEmpty())
+        return {};
+    int told = 0;
+    int untold = 0;
+    for (const ParameterSpec &spec : parameters().all()) {
+        if (!spec.row->startsWith)
+            continue;
         const auto first = startsWith(spec);
-        return first && raw(spec, 0) != first;
-    });
+        if (first && raw(spec, 0) != first)
+            return true;
+        ++(first ? told : untold);
+    }
+    return told > 0 && untold == 0 ? std::optional(false) : std::nullopt;
 }
 
 std::optional<double> Configuration::textFigure(const ParameterSpec &spec, double raw) const

@@ -104,8 +104,9 @@ public:
     [[nodiscard]] std::optional<double> textFigure(const ParameterSpec &spec, double raw) const;
     /// The value that the board starts with, as a text that it keeps tells (ParameterRow::startsWith).
     [[nodiscard]] std::optional<double> startsWith(const ParameterSpec &spec) const;
-    /// Whether, as far as that is told, it starts with another value than the one that it uses.
-    [[nodiscard]] bool usesUnstored() const;
+    /// Whether it starts with another value than the one that it uses; empty: not all of it is told, or
+    /// nothing.
+    [[nodiscard]] std::optional<bool> usesUnstored() const;
 
     /// The rule that a value breaks, and the parameter with which it does (null: alone). Null: none.
     struct Contradiction

@@ -335,6 +335,7 @@ void TestBcflightText::writtenGainsAreNotStoredYet()
     QTRY_VERIFY(held().contains("pid_yaw = PID( 198"));
     QTRY_VERIFY(!m_rig->workspace().isUnstored());
     QTRY_VERIFY(!bar->isVisibleTo(&window()));
+    QTRY_COMPARE(tuning->stateText(), u"In use: as in the board's text"_s);
 }
 
 // The drone restarts after the text; the gains are in use all the same, and the page knows those of the text.

@@ -436,6 +436,7 @@ void TuningPage::updateState()
     QString text = changed > 0           ? tr("%n value(s) in use, not stored", nullptr, changed)
         : workspace().isUnstored()       ? tr("Values in use are not stored")
         : workspace().isStoredKnown()    ? tr("In use: as stored")
+        : workspace().usesItsText()      ? tr("In use: as in the board's text")
         : workspace().canCompareStored() ? tr("Whether what is in use is stored is not known yet")
                                          : tr("Nothing is changed here; this board does not tell what it has "
                                               "stored");
