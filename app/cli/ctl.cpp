@@ -291,8 +291,13 @@ std::optional<int> Ctl::connectToBoard(const QString &link, const QString &famil
     connect(m_client.get(), &DeviceClient::boardSpoke, this,
             [this](const QString &text) { onTold(u"the board says: "_s + text); });
     connect(m_client.get(), &DeviceClient::alarmChanged, this, [this](const AlarmReport &report) {
-        if (report.isOver || report.outcome == AlarmOutcome::Acting)
+        // What became of a stop is told even when what it was for is over.
+        const bool wasOpen = m_unprovenStops.remove(report.number);
+        if (report.outcome == AlarmOutcome::Acting
+            || (report.isOver && !(wasOpen && report.outcome == AlarmOutcome::Done)))
             return;
+        if (report.outcome == AlarmOutcome::NotProven)
+            m_unprovenStops.insert(report.number);
         const QString text = describe(report, m_client->device()->parameters().get()).oneLine();
         m_alarms.append(text);
         m_wasMovedUnwanted |= report.alarm.isUnwantedMotion();

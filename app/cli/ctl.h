@@ -6,6 +6,7 @@
 #include "app/composition/links.h"
 
 #include <QJsonArray>
+#include <QSet>
 #include <QTextStream>
 
 class QCommandLineParser;
@@ -58,6 +59,7 @@ private:
     std::unique_ptr<DeviceClient> m_client;
     bool m_isNameless = false;  // shares its history with boards that look the same
     QJsonArray m_alarms;  // that were told
+    QSet<int> m_unprovenStops;  // numbers of alarms
     bool m_wasMovedUnwanted = false;  // one of them says so
     bool m_flies = false;  // the board is a drone's
     QList<ReplayGap> m_leftOut;  // of the recording that is replayed

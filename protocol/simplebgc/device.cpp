@@ -28,6 +28,7 @@ constexpr auto kProfileSwitch = 2000ms;
 constexpr int kPauseBetweenLooks = 50;
 constexpr int kActiveProfileOffset = 59;  // of REALTIME_DATA_3
 constexpr int kMotorFlagOffset = 57;  // of REALTIME_DATA_3: bit 0, the motors run
+constexpr int kErrorsOffset = 14;  // of REALTIME_DATA_3: SYSTEM_ERROR, bit 0: no sensor
 constexpr int kLiveRetries = 1;
 
 // EXECUTE_MENU numbers of "use profile 1..5" (errata 4.1).
@@ -37,6 +38,12 @@ constexpr std::array<int, kProfileCount> kProfileActions{1, 2, 3, 14, 15};
 bool isNumber(const QByteArray &bytes)
 {
     return bytes.count('\0') < bytes.size() && bytes.count('\xFF') < bytes.size();
+}
+
+/// @param status REALTIME_DATA_3
+bool isWithoutSensor(const QByteArray &status)
+{
+    return status.size() > kErrorsOffset && (status[kErrorsOffset] & 1);
 }
 
 Capabilities capabilitiesOf(const BoardInfo &info)
@@ -553,15 +560,15 @@ StopPlan Device::stopPlan() const
     StopPlan plan;
     plan.means.push_back(
         {{confirmRequest(CommandId::MotorsOff, {}, kVersion), statusRequest(), statusRequest()}, 200ms, 5});
-    // One answer may be an old one; and one that never changes, of a board that measures, is none at all.
+    // One answer may be an old one; and one that never changes, of a board that measures, is none at all. One
+    // without its sensor measures nothing that would change.
     plan.fromAnswer = [before = QByteArray()](const Frame &frame) mutable {
         const auto running = areMotorsRunning(frame);
         if (!running)
             return Proof::Nothing;
         const QByteArray last = std::exchange(before, *running ? QByteArray() : frame.payload);
-        return *running                               ? Proof::Refuted
-            : last.isEmpty() || last == frame.payload ? Proof::Nothing
-                                                      : Proof::Proven;
+        const bool isSame = last == frame.payload && !isWithoutSensor(frame.payload);
+        return *running ? Proof::Refuted : last.isEmpty() || isSame ? Proof::Nothing : Proof::Proven;
     };
     return plan;
 }

@@ -70,6 +70,7 @@ private slots:
     void steeringUnseenIsNoSuccess();
     void alarmsAreToldAndActedOn_data();
     void alarmsAreToldAndActedOn();
+    void lateStopIsToldOnceProven();
 
 private:
     [[nodiscard]] QString path(const QString &name) const { return m_dir->filePath(name); }
@@ -876,6 +877,23 @@ void TestCtlFaults::alarmsAreToldAndActedOn()
                  qPrintable(running.told()));
     else
         QVERIFY(!running.told().contains(u"switched off"_s));
+}
+
+// A stop that is proven too late for the first word is told once it is.
+void TestCtlFaults::lateStopIsToldOnceProven()
+{
+    SimProcess simulator({u"--tcp"_s, u"0"_s});
+    Running running(m_dir->path(),
+                    {u"--family"_s, u"simplebgc"_s, u"--link"_s, simulator.address(), u"monitor"_s,
+                     u"--alarm"_s, u"sensor=off"_s});
+    QVERIFY(QTest::qWaitFor([&] { return running.printed().count(u'\n') > 200; }, kPatience));
+    simulator.process().write("late=3000\nno-imu=1\n");
+    const auto isTold = [&](const QString &words) {
+        return QTest::qWaitFor([&] { return running.told().contains(words); }, kPatience);
+    };
+    QVERIFY2(isTold(u"nothing proves that they did"_s), qPrintable(running.told()));
+    simulator.process().write("late=0\n");
+    QVERIFY2(isTold(u"The motors were switched off."_s), qPrintable(running.told()));
 }
 
 QTEST_GUILESS_MAIN(TestCtlFaults)

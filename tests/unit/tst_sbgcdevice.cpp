@@ -85,6 +85,7 @@ private slots:
     void resetIsAnnounced();
     void defaultsOverwriteAProfile();
     void motorsOffStopsEvenATuningBoard();
+    void standingBoardsProveTheStop();
     void debugVariablesAreListedAndRead();
     void faultsAreNamed();
     void aMissingSensorHasNoAngles();
@@ -570,6 +571,28 @@ void TestSbgcDevice::motorsOffStopsEvenATuningBoard()
     QVERIFY(!bench.board().stabilizer().motorsOn());
     QVERIFY(bench.device.switchMotorsOn(bench.channel));
     QVERIFY(bench.board().stabilizer().motorsOn());
+}
+
+// The same answer again and again is none, but of a board without its sensor, of which nothing changes.
+void TestSbgcDevice::standingBoardsProveTheStop()
+{
+    const auto status = [](bool areOn, bool isBlind, char noise) {
+        QByteArray payload(63, '\0');
+        payload[0] = noise;
+        payload[14] = isBlind;
+        payload[57] = areOn;
+        Frame frame;
+        frame.id = number(CommandId::RealtimeData3);
+        frame.payload = payload;
+        return frame;
+    };
+    for (const bool isBlind : {false, true}) {
+        const StopPlan plan = simplebgc::Device().stopPlan();
+        QCOMPARE(plan.fromAnswer(status(true, isBlind, 1)), Proof::Refuted);
+        QCOMPARE(plan.fromAnswer(status(false, isBlind, 1)), Proof::Nothing);
+        QCOMPARE(plan.fromAnswer(status(false, isBlind, 1)), isBlind ? Proof::Proven : Proof::Nothing);
+        QCOMPARE(plan.fromAnswer(status(false, isBlind, 2)), Proof::Proven);
+    }
 }
 
 void TestSbgcDevice::debugVariablesAreListedAndRead()
