@@ -68,7 +68,7 @@ Navigation::Navigation(QWidget *parent)
     setFixedWidth(std::max(168, sizeHintForColumn(0) + kRoom));
     connect(this, &QListWidget::currentItemChanged, this, [this] {
         m_awaited.clear();
-        if (!currentPage().isEmpty())
+        if (isOffered(currentPage()))
             emit pageChosen(currentPage());
     });
 }
@@ -121,6 +121,8 @@ void Navigation::setOffered(const QString &key, bool offered)
 {
     if (QListWidgetItem *found = itemOf(key); found && found->isHidden() == offered) {
         found->setHidden(!offered);
+        // Typing letters chooses hidden entries too, unless they cannot be chosen at all.
+        found->setFlags(offered ? Qt::ItemIsSelectable | Qt::ItemIsEnabled : Qt::NoItemFlags);
         renumber();
         if (offered && key == m_awaited)
             setCurrentItem(found);

@@ -480,9 +480,10 @@ bool DeviceClient::isSteering() const
     return steers;
 }
 
-void DeviceClient::setControl(const SteeringSetpoint &setpoint)
+void DeviceClient::setControl(const SteeringSetpoint &setpoint, Steers what)
 {
-    if (d->state != State::Connected || !d->device->steering())
+    if (d->state != State::Connected || !d->device->steering()
+        || (d->device->flight() && what != Steers::FlyingMachine))
         return;
     const ControlFrames wanted = d->device->steering()->controlFrames(setpoint);
     d->steering->take(&wanted);

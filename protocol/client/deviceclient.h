@@ -95,9 +95,12 @@ public:
     /// else. Callable from any thread.
     void motorsOff();
 
+    /// What flies is steered only by whoever says that it does, and answers for it: checked directions, an
+    /// arming of its own, a guard that outlives the program.
+    enum class Steers { Gimbal, FlyingMachine };
     /// Steers. Must be repeated at least every 250 ms, or the I/O thread stops the board and releases
-    /// control.
-    void setControl(const SteeringSetpoint &setpoint);
+    /// control. Nothing is sent to a flying machine that is taken for a gimbal.
+    void setControl(const SteeringSetpoint &setpoint, Steers what = Steers::Gimbal);
     void releaseControl();
     /// The board is steered, by whomever, or has not been seen to stand still since.
     [[nodiscard]] bool isSteering() const;

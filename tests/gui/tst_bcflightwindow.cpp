@@ -72,6 +72,7 @@ private slots:
     void checkIsOfWhatWasReadNow();
     void exchangedDroneIsAskedAbout();
     void silenceIsAskedAbout();
+    void noGimbalPageSteersIt();
     void lookalikeIsAskedAbout();
     void replaysStartNoMotors();
     void anotherIsConnectedAfterOneWasLost();
@@ -471,6 +472,35 @@ void TestBcflightWindow::silenceIsAskedAbout()
     QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), kPatience);
     QCOMPARE(naming.name(), u"Mine"_s);
     QVERIFY(naming.choose(u"Mine"_s) && naming.isCertain());
+}
+
+// Letters typed in the navigation reach no page that is not listed; and below every page, what takes a drone
+// for a gimbal sends it nothing.
+void TestBcflightWindow::noGimbalPageSteersIt()
+{
+    QVERIFY(m_rig->open(u"sim:bcflight?stand=1"_s));
+    Navigation *list = window().navigation();
+    for (const PageEntry &entry : pageTable()) {
+        const QString key = QString::fromLatin1(entry.key);
+        QVERIFY(window().showPage(u"dashboard"_s));
+        list->keyboardSearch(QString());  // from the beginning
+        list->keyboardSearch(list->titleOf(key));
+        QVERIFY2(list->isOffered(list->currentPage()), qPrintable(key));
+    }
+    const auto done = m_rig->workspace().perform(u"calibrate.all"_s, {});
+    QTRY_VERIFY_WITH_TIMEOUT(done.isFinished() && m_rig->jobsAreDone(), kPatience);
+    const auto isArmed = [this] { return m_rig->workspace().latest(m_rig->client().roles().armed) > 0.5; };
+    for (const auto what : {DeviceClient::Steers::Gimbal, DeviceClient::Steers::FlyingMachine}) {
+        QTimer send;
+        connect(&send, &QTimer::timeout, this, [&] {
+            m_rig->client().setControl({1, {0, 0, 0, 0}, {1}}, what);
+        });
+        send.start(50);
+        if (what == DeviceClient::Steers::FlyingMachine)
+            QTRY_VERIFY_WITH_TIMEOUT(isArmed(), kPatience);
+        else
+            QVERIFY(m_rig->boardGoesOn(2) && !isArmed() && !m_rig->client().isSteering());
+    }
 }
 
 // It inherits the name, and neither the check nor, unasked, the snapshots.

@@ -96,7 +96,8 @@ struct Bench
         auto hand = std::make_unique<QTimer>();
         SteeringSetpoint wanted{1, {0.3, 0, 0, 0}, {1}};
         wanted.begun = Clock::now();
-        QObject::connect(hand.get(), &QTimer::timeout, [this, wanted] { client.setControl(wanted); });
+        QObject::connect(hand.get(), &QTimer::timeout,
+                         [this, wanted] { client.setControl(wanted, DeviceClient::Steers::FlyingMachine); });
         hand->start(20ms);
         const auto turns = [](WatchedDrone &drone) { return drone.drone().outputs()[0] > 0; };
         return QTest::qWaitFor([&] { return with(turns); }, kPatience) ? std::move(hand) : nullptr;
@@ -288,7 +289,7 @@ void TestBcflightBenchLink::silenceInTheAirIsNoDisarming()
     });
     QTimer hand;
     QObject::connect(&hand, &QTimer::timeout, &bench.client, [&] {
-        bench.client.setControl({1, {0.3, 0, 0, 0}, {1}});
+        bench.client.setControl({1, {0.3, 0, 0, 0}, {1}}, DeviceClient::Steers::FlyingMachine);
     });
     hand.start(20ms);
     QTRY_VERIFY_WITH_TIMEOUT(flies(), kPatience);

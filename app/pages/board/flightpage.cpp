@@ -406,7 +406,8 @@ void FlightPage::tick()
         return;
     }
     m_steps->advance(now);
-    workspace().client().setControl(setpoint(send == ArmingSession::Send::Armed));
+    workspace().client().setControl(setpoint(send == ArmingSession::Send::Armed),
+                                    DeviceClient::Steers::FlyingMachine);
     m_isSending = true;
     workspace().setFlown(m_session.isArming());
     if (m_ticks++ % kTellGuardEvery == 0)
