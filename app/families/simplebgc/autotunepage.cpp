@@ -428,8 +428,10 @@ void AutoTunePage::judge()
         isWorse |= after[axis] > kWorseTimes * m_errorBefore[axis]
             && after[axis] > m_errorBefore[axis] + kWorseDegrees;
     }
-    if (figures.isEmpty())
+    if (figures.isEmpty()) {  // live data pause: it is judged when they come
+        m_judging.start(kJudgeAfter);
         return;
+    }
     const QString measured = tr("Angle error, RMS: %1.").arg(figures.join(u", "_s));
     if (!isWorse) {
         m_text->setText(m_text->text() + u' ' + measured);
