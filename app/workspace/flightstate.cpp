@@ -49,9 +49,12 @@ ArmedState::State flightState(const Workspace &workspace)
     // What it said before says nothing of the test that it carries out.
     if (workspace.isDeaf())
         return ArmedState::State::RunsOn;
-    return ArmedState::stateOf(freshlyTold(workspace, roles.armed), freshlyTold(workspace, roles.calibrated),
-                               freshlyTold(workspace, roles.calibrating),
-                               freshlyTold(workspace, roles.outputs));
+    const auto told = ArmedState::stateOf(
+        freshlyTold(workspace, roles.armed), freshlyTold(workspace, roles.calibrated),
+        freshlyTold(workspace, roles.calibrating), freshlyTold(workspace, roles.outputs));
+    // What it said before it was armed from here, or disarmed, says nothing of what has become of that.
+    const bool isAwaited = workspace.isFlown() || workspace.mayStillFly();
+    return isAwaited && ArmedState::isDisarmed(told) ? ArmedState::State::Awaited : told;
 }
 
 QByteArray axesKey(const Workspace &workspace)

@@ -140,6 +140,8 @@ std::optional<bool> Workspace::motorsRunning() const
         return false;
     if (m_freshness.frozenSince())
         return {};
+    if (value == 0.0 && (m_flown || mayStillFly()))
+        return {};  // of before it was armed from here, or not known to have ended
     return value != 0.0;
 }
 

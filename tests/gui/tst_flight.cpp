@@ -1064,7 +1064,7 @@ void TestFlight::disarmedIsNotStanding()
             [&told](const QString &text) { told.append(text); });
     page().sessionButton()->click();  // closes it
     page().sessionButton()->click();
-    QVERIFY2(told.join(u' ').contains(u"has not obeyed"_s), qPrintable(told.join(u' ')));
+    QVERIFY2(told.join(u' ').contains(u"does not say that it is disarmed"_s), qPrintable(told.join(u' ')));
     disconnect(&m_rig->workspace().notifications(), nullptr, this, nullptr);
     QTcpSocket other;
     other.connectToHost(QHostAddress::LocalHost, tcp.split(':').last().toUShort());

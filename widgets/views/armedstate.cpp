@@ -72,6 +72,7 @@ QString ArmedState::word() const
     case State::Calibrating: return tr("Calibrating");
     case State::Disarmed: return tr("Disarmed");
     case State::OutputsUnknown: return tr("Outputs unknown");
+    case State::Awaited: return tr("Not told yet");
     case State::RunsOn: return tr("MOTORS DRIVEN");
     case State::Armed: return tr("ARMED");
     }
@@ -87,6 +88,7 @@ QString ArmedState::sentence() const
     case State::Disarmed: return tr("Calibrated.");
     case State::OutputsUnknown:
         return tr("Disarmed. It does not tell what its motors do: see that they stand.");
+    case State::Awaited: return tr("Armed or disarmed from here, it has not said so yet: take it for armed.");
     case State::RunsOn: return tr("It is not armed, and drives motors all the same: keep clear.");
     case State::Armed: return tr("Propellers may turn at any moment.");
     }
@@ -180,6 +182,7 @@ void ArmedState::drawSign(QPainter &painter, const QRectF &room, const QColor &c
         painter.drawPolyline(QPolygonF({at(-1.9, 0.1), at(-0.5, 1.6), at(2, -1.5)}));
         break;
     case State::OutputsUnknown:
+    case State::Awaited:
         painter.drawEllipse(ring);
         painter.drawLine(at(0, -2.2), at(0, 0.4));
         painter.drawPoint(at(0, 2.2));
@@ -203,11 +206,11 @@ void ArmedState::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const ColorRole role = isAlarm()                                        ? ColorRole::Danger
-        : m_state == State::Calibrating || m_state == State::OutputsUnknown ? ColorRole::Warning
-        : m_state == State::Disarmed                                        ? ColorRole::Ok
-        : m_state == State::NotCalibrated                                   ? ColorRole::Changed
-                                                                            : ColorRole::Muted;
+    const ColorRole role = isAlarm()      ? ColorRole::Danger
+        : isWarning()                     ? ColorRole::Warning
+        : m_state == State::Disarmed      ? ColorRole::Ok
+        : m_state == State::NotCalibrated ? ColorRole::Changed
+                                          : ColorRole::Muted;
     const QColor own = m_theme.color(role);
     const QRectF tile = QRectF(rect()).adjusted(kTileBorder / 2.0, kTileBorder / 2.0, -kTileBorder / 2.0,
                                                 -kTileBorder / 2.0);

@@ -20,6 +20,7 @@ public:
         Calibrating,
         Disarmed,  ///< calibrated: can be armed
         OutputsUnknown,  ///< calibrated and disarmed, and nothing tells whether motors stand
+        Awaited,  ///< armed or disarmed from here, and it has not said so yet
         RunsOn,  ///< not armed, and motors are driven all the same, or are about to be by a test
         Armed,
     };
@@ -54,6 +55,10 @@ private:
     /// Smaller where the word would not fit.
     [[nodiscard]] QFont wordFontIn(int room) const;
     [[nodiscard]] int roomIn(int width) const;
+    [[nodiscard]] bool isWarning() const
+    {
+        return m_state == State::Calibrating || m_state == State::OutputsUnknown || m_state == State::Awaited;
+    }
     [[nodiscard]] bool isAlarm() const { return m_state == State::Armed || m_state == State::RunsOn; }
     void drawSign(QPainter &painter, const QRectF &room, const QColor &colour) const;
 

@@ -28,6 +28,7 @@ QString droneObstacle(const Workspace &workspace, Calibration calibration)
     switch (flightState(workspace)) {
     case ArmedState::State::Armed: return Obstacle::tr("The drone is armed.");
     case ArmedState::State::RunsOn: return Obstacle::tr("Motors are driven already.");
+    case ArmedState::State::Awaited:
     case ArmedState::State::Unknown: return Obstacle::tr("Whether it is armed is not known at present.");
     case ArmedState::State::Calibrating: return Obstacle::tr("It calibrates.");
     case ArmedState::State::NotCalibrated:

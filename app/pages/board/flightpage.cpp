@@ -516,33 +516,6 @@ void FlightPage::showNow()
     showState();
 }
 
-void FlightPage::showState()
-{
-    const ArmingSession::Known now = known();
-    m_tile->setState(flightState(workspace()));
-    const bool isOpen = m_session.phase() != ArmingSession::Phase::Closed;
-    m_open->setText(isOpen ? tr("Close the control session") : tr("Open a control session…"));
-    m_open->setEnabled(isOpen || now.isLinked);
-    m_tune->setVisible(isOpen && m_session.isHeld());
-    // Before that it cannot be armed; afterwards, in a stand, there is nothing to check.
-    const bool isStand = isOpen && m_session.isHeld() && !m_directions->isChecking()
-        && m_directions->found().level == CheckedDirections::Level::All;
-    m_steps->setVisible(isStand);
-    m_directions->setVisible(!isStand);
-    m_throttle->setMaximum(m_directions->isChecking() ? int(kFullStick * DirectionCheck::kMostThrottle)
-                                                      : kFullStick);
-    m_steps->setReady(m_session.phase() == ArmingSession::Phase::Armed, sticks().throttle);
-    m_why->setText(stateText());
-    m_calibrate->setVisible(m_tile->state() == ArmedState::State::NotCalibrated);
-    m_arm->setEnabled(isOpen && now.isLinked && !m_session.isArming());
-    m_disarm->setEnabled(now.isLinked && (m_session.isArming() || now.isArmed.value_or(false)));
-    m_held->setVisible(m_session.phase() == ArmingSession::Phase::Holding);
-    m_held->setValue(int(kFullStick * m_session.held(Clock::now())));
-    for (QWidget *stick :
-         {static_cast<QWidget *>(m_pad), static_cast<QWidget *>(m_yaw), static_cast<QWidget *>(m_throttle)})
-        stick->setEnabled(!m_gamepad->isChosen() && (m_session.isArming() || m_directions->isChecking()));
-}
-
 bool FlightPage::eventFilter(QObject *watched, QEvent *event)
 {
     if (watched == m_yaw && ControlPad::endsDrag(*m_yaw, *event))

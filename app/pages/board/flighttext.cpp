@@ -1,16 +1,24 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the page for flying says and asks.
+#include "app/pages/board/directioncard.h"
 #include "app/pages/board/flightpage.h"
+#include "app/pages/board/stickstepcard.h"
 #include "app/workspace/flightstate.h"
 #include "app/workspace/question.h"
 #include "protocol/device/flight.h"
 #include "widgets/models/errortext.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
+#include "widgets/views/armedstate.h"
+#include "widgets/views/controlpad.h"
 
 #include <QCheckBox>
 #include <QDialog>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSlider>
 
 using namespace Qt::StringLiterals;
 
@@ -64,7 +72,7 @@ QString FlightPage::barText(ArmingBar bar) const
     case ArmingBar::NotCalibrated: return tr("it is not calibrated.");
     case ArmingBar::Calibrating: return tr("it is calibrating.");
     case ArmingBar::ArmedElsewhere:
-        return workspace().mayStillFly() ? tr("it was armed from here, and has not obeyed the disarming.")
+        return workspace().mayStillFly() ? tr("it was armed from here, and does not say that it is disarmed.")
                                          : tr("it is armed already, and not from here.");
     case ArmingBar::MotorsTurn: return tr("its motors are driven although it is disarmed.");
     case ArmingBar::Busy: return tr("it is at work: a procedure or a write runs.");
@@ -99,6 +107,35 @@ QString FlightPage::barText(ArmingBar bar) const
     case ArmingBar::Failed: return tr("an error occurred.");
     }
     return {};
+}
+
+void FlightPage::showState()
+{
+    const ArmingSession::Known now = known();
+    m_tile->setState(flightState(workspace()));
+    const bool isOpen = m_session.phase() != ArmingSession::Phase::Closed;
+    m_open->setText(isOpen ? tr("Close the control session") : tr("Open a control session…"));
+    m_open->setEnabled(isOpen || now.isLinked);
+    m_tune->setVisible(isOpen && m_session.isHeld());
+    // Before that it cannot be armed; afterwards, in a stand, there is nothing to check.
+    const bool isStand = isOpen && m_session.isHeld() && !m_directions->isChecking()
+        && m_directions->found().level == CheckedDirections::Level::All;
+    m_steps->setVisible(isStand);
+    m_directions->setVisible(!isStand);
+    m_throttle->setMaximum(m_directions->isChecking() ? int(kFullStick * DirectionCheck::kMostThrottle)
+                                                      : kFullStick);
+    m_steps->setReady(m_session.phase() == ArmingSession::Phase::Armed, sticks().throttle);
+    m_why->setText(stateText());
+    m_calibrate->setVisible(m_tile->state() == ArmedState::State::NotCalibrated);
+    // Whatever is not known to be disarmed can be disarmed, and not armed.
+    const bool isDisarmed = ArmedState::isDisarmed(m_tile->state());
+    m_arm->setEnabled(isOpen && now.isLinked && !m_session.isArming() && isDisarmed);
+    m_disarm->setEnabled(now.isLinked && (m_session.isArming() || !isDisarmed));
+    m_held->setVisible(m_session.phase() == ArmingSession::Phase::Holding);
+    m_held->setValue(int(kFullStick * m_session.held(Clock::now())));
+    for (QWidget *stick :
+         {static_cast<QWidget *>(m_pad), static_cast<QWidget *>(m_yaw), static_cast<QWidget *>(m_throttle)})
+        stick->setEnabled(!m_gamepad->isChosen() && (m_session.isArming() || m_directions->isChecking()));
 }
 
 void FlightPage::open(bool held)
