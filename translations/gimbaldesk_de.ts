@@ -10569,6 +10569,18 @@ dieses zeigen.</translation>
         <source>What was in it is kept, and can be restored.</source>
         <translation>Was darin war, ist aufgehoben und lässt sich wiederherstellen.</translation>
     </message>
+    <message>
+        <source>Commands as the board tells them</source>
+        <translation>Befehle, wie das Board sie meldet</translation>
+    </message>
+    <message>
+        <source>Commands of the script</source>
+        <translation>Befehle des Skripts</translation>
+    </message>
+    <message>
+        <source>%1 s: command %2</source>
+        <translation>%1 s: Befehl %2</translation>
+    </message>
 </context>
 <context>
     <name>ScriptsPage</name>

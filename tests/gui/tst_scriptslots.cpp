@@ -8,6 +8,7 @@
 #include "tests/support/windowrig.h"
 #include "widgets/forms/panel.h"
 
+#include <QListWidget>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
@@ -276,6 +277,9 @@ void TestScriptSlots::scriptIsFollowedToItsEnd()
     SHOWS(m_page->running(), u"Script 3: command 5"_s);
     SHOWS(m_page->running(), u"Script 3 has ended"_s);
     QVERIFY2(m_page->about().startsWith(u"Its last command was 20."_s), qPrintable(m_page->about()));
+    const QListWidget *told = m_page->commands();
+    QVERIFY(told->count() > 5 && told->count() <= 20);
+    QVERIFY(told->item(told->count() - 1)->text().endsWith(u"s: command 20"_s));
     // And one that is stopped.
     QVERIFY(load(4, QByteArray(600, 'x')));
     click(u"Run and follow…"_s);

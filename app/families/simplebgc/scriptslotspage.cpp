@@ -17,11 +17,14 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTableWidget>
 #include <QVBoxLayout>
+
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -29,6 +32,8 @@ namespace {
 
 constexpr int kScriptsBesideEms = 80;  // of width, and what runs stands beside the slots
 constexpr int kShownRows = 6;
+constexpr int kShownCommands = 4;
+constexpr int kMostCommands = 2000;  // that are listed
 constexpr int kMostCopies = 12;  // that are offered
 constexpr double kSilentFor = 1.5;  // seconds
 
@@ -51,13 +56,16 @@ ScriptSlotsPage::ScriptSlotsPage(Workspace &workspace, QWidget *parent)
     , m_copies(new QMenu(this))
     , m_running(new QLabel)
     , m_about(new QLabel)
+    , m_commands(new QListWidget)
     , m_run(new QPushButton(tr("Run…")))
     , m_follow(new QPushButton(tr("Run and follow…")))
     , m_stop(new QPushButton(tr("Stop script")))
     , m_refresh(new QPushButton(tr("Read again")))
     , m_cards(new QBoxLayout(QBoxLayout::TopToBottom))
 {
+    m_stop->setToolTip(tr("Stop the script that runs; the motors go on"));
     m_refresh->setToolTip(tr("Ask the board once more what is in its slots"));
+    header()->addWidget(m_stop);  // in reach on a small screen too
     header()->addWidget(m_refresh);
     makeBody();
     connectAll();
@@ -104,10 +112,9 @@ QWidget *ScriptSlotsPage::makeRun()
     m_follow->setObjectName(u"danger"_s);
     m_run->setToolTip(tr("Start the script in the slot"));
     m_follow->setToolTip(tr("Start the script in the slot and show each command that the board carries out"));
-    m_stop->setToolTip(tr("Stop the script that runs; the motors go on"));
     auto *row = new QHBoxLayout;
     row->setSpacing(Metric::kGap);
-    for (QPushButton *button : {m_run, m_follow, m_stop})
+    for (QPushButton *button : {m_run, m_follow})
         row->addWidget(button);
     row->addStretch(1);
     auto *note = new QLabel(tr(
@@ -117,9 +124,14 @@ QWidget *ScriptSlotsPage::makeRun()
     note->setWordWrap(true);
     card->content()->addWidget(m_running);
     card->content()->addWidget(m_about);
+    auto *title = new QLabel(tr("Commands as the board tells them"));
+    title->setObjectName(u"muted"_s);
+    m_commands->setAccessibleName(tr("Commands of the script"));
+    m_commands->setMinimumHeight(kShownCommands * m_table->verticalHeader()->defaultSectionSize());
     card->content()->addLayout(row);
     card->content()->addWidget(note);
-    card->content()->addStretch(1);
+    card->content()->addWidget(title);
+    card->content()->addWidget(m_commands, 1);
     return card;
 }
 
@@ -455,6 +467,8 @@ void ScriptSlotsPage::follow()
     m_result.clear();
     m_followed = number;
     m_command = 0;
+    m_commands->clear();
+    m_since.start();
     tellRunning(tr("Script %1 is started…").arg(number), {});
     perform(u"script.follow"_s, {{u"slot"_s, number}},
             [this, number](const Result<ActionOutcome> &outcome) { onFollowed(number, outcome); });
@@ -469,7 +483,14 @@ void ScriptSlotsPage::onProgress(const Progress &progress)
 {
     if (m_followed == 0 || progress.step != u"script"_s)
         return;
-    m_command = int(progress.values.value(u"command"_s));
+    const int before = std::exchange(m_command, int(progress.values.value(u"command"_s)));
+    if (m_command != before) {
+        const QString time = numberText(double(m_since.elapsed()) / 1000, 1);
+        m_commands->addItem(tr("%1 s: command %2").arg(time).arg(m_command));
+        if (m_commands->count() > kMostCommands)
+            delete m_commands->takeItem(0);
+        m_commands->scrollToBottom();
+    }
     const double silent = progress.values.value(u"silent"_s);
     tellRunning(tr("Script %1: command %2").arg(m_followed).arg(m_command),
                 silent < kSilentFor

@@ -5,9 +5,12 @@
 #include "app/workspace/page.h"
 #include "protocol/record/keptscripts.h"
 
+#include <QElapsedTimer>
+
 class Card;
 class QBoxLayout;
 class QLabel;
+class QListWidget;
 class QMenu;
 class QPushButton;
 class QTableWidget;
@@ -26,6 +29,8 @@ public:
     /// What runs, in large letters, and what is known of it.
     [[nodiscard]] QString running() const;
     [[nodiscard]] QString about() const;
+    /// The commands of a followed script, as the board told them.
+    [[nodiscard]] QListWidget *commands() const { return m_commands; }
     [[nodiscard]] bool isUnderWay() const override { return m_isBusy; }
     [[nodiscard]] std::any keep() override;
     void resume(const std::any &kept) override;
@@ -80,6 +85,7 @@ private:
     QMenu *m_copies;
     QLabel *m_running;
     QLabel *m_about;
+    QListWidget *m_commands;
     QPushButton *m_run;
     QPushButton *m_follow;
     QPushButton *m_stop;
@@ -91,4 +97,5 @@ private:
     bool m_isReading = false;
     int m_followed = 0;  // the slot whose script is
     int m_command = 0;  // that it carries out
+    QElapsedTimer m_since;  // it was begun
 };
