@@ -4916,6 +4916,34 @@
         <source>the board still counts %1 starts</source>
         <translation>das Board zählt noch immer %1 Starts</translation>
     </message>
+    <message>
+        <source>this firmware has the slots 1 to %1</source>
+        <translation>diese Firmware hat die Plätze 1 bis %1</translation>
+    </message>
+    <message>
+        <source>slot %1 holds no script</source>
+        <translation>Platz %1 enthält kein Skript</translation>
+    </message>
+    <message>
+        <source>slot %1 holds again what it held before</source>
+        <translation>Platz %1 enthält wieder, was er vorher enthielt</translation>
+    </message>
+    <message>
+        <source>what slot %1 holds now is not known</source>
+        <translation>was Platz %1 jetzt enthält, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>what it held is in %1</source>
+        <translation>was er enthielt, ist in %1</translation>
+    </message>
+    <message>
+        <source>the script goes on: it tells command %1</source>
+        <translation>das Skript läuft weiter: es meldet Befehl %1</translation>
+    </message>
+    <message>
+        <source>no command of it was told: whether it runs is not known</source>
+        <translation>es meldete keinen Befehl: ob es läuft, ist nicht bekannt</translation>
+    </message>
 </context>
 <context>
     <name>ErrorText</name>
@@ -10235,6 +10263,331 @@ dieses zeigen.</translation>
     <message>
         <source>⚠ This speaks against the text:</source>
         <translation>⚠ Das spricht gegen den Text:</translation>
+    </message>
+</context>
+<context>
+    <name>ScriptSlotsPage</name>
+    <message numerus="yes">
+        <source>%n byte(s)</source>
+        <translation>
+            <numerusform>%n Byte</numerusform>
+            <numerusform>%n Bytes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Scripts</source>
+        <translation>Skripte</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Laden…</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Sichern…</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Run…</source>
+        <translation>Ausführen…</translation>
+    </message>
+    <message>
+        <source>Run and follow…</source>
+        <translation>Ausführen und verfolgen…</translation>
+    </message>
+    <message>
+        <source>Stop script</source>
+        <translation>Skript anhalten</translation>
+    </message>
+    <message>
+        <source>Read again</source>
+        <translation>Neu lesen</translation>
+    </message>
+    <message>
+        <source>Ask the board once more what is in its slots</source>
+        <translation>Das Board noch einmal fragen, was in seinen Plätzen ist</translation>
+    </message>
+    <message>
+        <source>Slots</source>
+        <translation>Plätze</translation>
+    </message>
+    <message>
+        <source>Slots for scripts</source>
+        <translation>Plätze für Skripte</translation>
+    </message>
+    <message>
+        <source>Slot</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>Script</source>
+        <translation>Skript</translation>
+    </message>
+    <message>
+        <source>Kept from before</source>
+        <translation>Aufgehoben</translation>
+    </message>
+    <message>
+        <source>Write a compiled script from a file into the slot, and read it back. A script that runs is stopped first; what is in the slot is kept</source>
+        <translation>Ein übersetztes Skript aus einer Datei in den Platz schreiben und zurücklesen. Ein laufendes Skript wird vorher angehalten; was im Platz ist, wird aufgehoben</translation>
+    </message>
+    <message>
+        <source>Copy the script in the slot into a file</source>
+        <translation>Das Skript im Platz in eine Datei kopieren</translation>
+    </message>
+    <message>
+        <source>Write what was in the slot before into it again</source>
+        <translation>Wieder in den Platz schreiben, was vorher darin war</translation>
+    </message>
+    <message>
+        <source>What runs</source>
+        <translation>Was läuft</translation>
+    </message>
+    <message>
+        <source>Start the script in the slot</source>
+        <translation>Das Skript im Platz starten</translation>
+    </message>
+    <message>
+        <source>Start the script in the slot and show each command that the board carries out</source>
+        <translation>Das Skript im Platz starten und jeden Befehl zeigen, den das Board ausführt</translation>
+    </message>
+    <message>
+        <source>Stop the script that runs; the motors go on</source>
+        <translation>Das laufende Skript anhalten; die Motoren laufen weiter</translation>
+    </message>
+    <message>
+        <source>“STOP MOTORS” ends a script that is followed here. One that was started otherwise goes on and may start the motors again: stop it as well.</source>
+        <translation>„MOTOREN STOPPEN“ beendet ein Skript, das hier verfolgt wird. Ein anders gestartetes läuft weiter und kann die Motoren wieder starten: Halten Sie es ebenfalls an.</translation>
+    </message>
+    <message>
+        <source>Scripts are stored compiled. This program has no compiler for them and cannot show what one does: it copies them as files, as they are. Compile a script with the maker&apos;s program.</source>
+        <translation>Skripte sind übersetzt gespeichert. Dieses Programm hat keinen Übersetzer dafür und kann nicht zeigen, was eines tut: Es kopiert sie als Dateien, wie sie sind. Übersetzen Sie ein Skript mit dem Programm des Herstellers.</translation>
+    </message>
+    <message>
+        <source>Compiled scripts (*.bin);;All files (*)</source>
+        <translation>Übersetzte Skripte (*.bin);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Load a script</source>
+        <translation>Skript laden</translation>
+    </message>
+    <message>
+        <source>Save the script</source>
+        <translation>Skript sichern</translation>
+    </message>
+    <message>
+        <source>Not known</source>
+        <translation>Nicht bekannt</translation>
+    </message>
+    <message>
+        <source>No command tells whether a script runs that was not started here.</source>
+        <translation>Kein Befehl sagt, ob ein Skript läuft, das nicht von hier gestartet wurde.</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>leer</translation>
+    </message>
+    <message>
+        <source>⚠ %1, not certain</source>
+        <translation>⚠ %1, nicht sicher</translation>
+    </message>
+    <message>
+        <source>Connect a board to see its scripts.</source>
+        <translation>Verbinden Sie ein Board, um seine Skripte zu sehen.</translation>
+    </message>
+    <message>
+        <source>Asking the board…</source>
+        <translation>Das Board wird gefragt…</translation>
+    </message>
+    <message>
+        <source>%1 of %2 slots hold a script.</source>
+        <translation>%1 von %2 Plätzen enthalten ein Skript.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Slot %1 held this script already.</source>
+        <translation>Platz %1 enthielt dieses Skript schon.</translation>
+    </message>
+    <message>
+        <source>Writing slot %1…</source>
+        <translation>Platz %1 wird geschrieben…</translation>
+    </message>
+    <message>
+        <source>Slot %1 holds the script, read back byte for byte: %2.</source>
+        <translation>Platz %1 enthält das Skript, Byte für Byte zurückgelesen: %2.</translation>
+    </message>
+    <message>
+        <source>Reading slot %1…</source>
+        <translation>Platz %1 wird gelesen…</translation>
+    </message>
+    <message>
+        <source>The script in slot %1 is saved: %2.</source>
+        <translation>Das Skript in Platz %1 ist gesichert: %2.</translation>
+    </message>
+    <message>
+        <source>Erasing slot %1…</source>
+        <translation>Platz %1 wird gelöscht…</translation>
+    </message>
+    <message>
+        <source>Slot %1 is empty now.</source>
+        <translation>Platz %1 ist jetzt leer.</translation>
+    </message>
+    <message>
+        <source>The motors may be running.</source>
+        <translation>Die Motoren laufen vielleicht.</translation>
+    </message>
+    <message>
+        <source>The motors are running.</source>
+        <translation>Die Motoren laufen.</translation>
+    </message>
+    <message>
+        <source>The motors are off now; a script can start them.</source>
+        <translation>Die Motoren sind jetzt aus; ein Skript kann sie starten.</translation>
+    </message>
+    <message>
+        <source>Run script %1?</source>
+        <translation>Skript %1 ausführen?</translation>
+    </message>
+    <message>
+        <source>Nobody can read in a compiled script what it does: it may turn the camera, start or stop motors and change what is in use.</source>
+        <translation>In einem übersetzten Skript kann niemand lesen, was es tut: Es kann die Kamera drehen, Motoren starten oder anhalten und ändern, was gilt.</translation>
+    </message>
+    <message>
+        <source>Keep hands and cables clear.</source>
+        <translation>Halten Sie Hände und Kabel fern.</translation>
+    </message>
+    <message>
+        <source>Run script %1</source>
+        <translation>Skript %1 ausführen</translation>
+    </message>
+    <message>
+        <source>Do not run it</source>
+        <translation>Nicht ausführen</translation>
+    </message>
+    <message>
+        <source>Script %1 runs</source>
+        <translation>Skript %1 läuft</translation>
+    </message>
+    <message>
+        <source>The board has told that it began. Its end is not watched from here.</source>
+        <translation>Das Board hat gemeldet, dass es begonnen hat. Sein Ende wird von hier nicht verfolgt.</translation>
+    </message>
+    <message>
+        <source>Script %1 was started</source>
+        <translation>Skript %1 wurde gestartet</translation>
+    </message>
+    <message>
+        <source>The board confirms it, and nothing shows whether it runs.</source>
+        <translation>Das Board bestätigt es, und nichts zeigt, ob es läuft.</translation>
+    </message>
+    <message>
+        <source>Script %1 is started…</source>
+        <translation>Skript %1 wird gestartet…</translation>
+    </message>
+    <message>
+        <source>Script %1: command %2</source>
+        <translation>Skript %1: Befehl %2</translation>
+    </message>
+    <message>
+        <source>The board tells each command that it carries out.</source>
+        <translation>Das Board meldet jeden Befehl, den es ausführt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No other command for %n second(s): it waits, or has ended.</source>
+        <translation>
+            <numerusform>Seit %n Sekunde kein weiterer Befehl: Es wartet oder ist zu Ende.</numerusform>
+            <numerusform>Seit %n Sekunden kein weiterer Befehl: Es wartet oder ist zu Ende.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its last command was %1.</source>
+        <translation>Sein letzter Befehl war %1.</translation>
+    </message>
+    <message>
+        <source>Script %1 has ended</source>
+        <translation>Skript %1 ist zu Ende</translation>
+    </message>
+    <message>
+        <source>The board has told so.</source>
+        <translation>Das Board hat es gemeldet.</translation>
+    </message>
+    <message>
+        <source>Script %1 tells nothing any more</source>
+        <translation>Skript %1 meldet nichts mehr</translation>
+    </message>
+    <message>
+        <source>It has ended, or waits: stop it before you rely on either.</source>
+        <translation>Es ist zu Ende oder wartet: Halten Sie es an, bevor Sie sich auf eines davon verlassen.</translation>
+    </message>
+    <message>
+        <source>Script %1 was not started</source>
+        <translation>Skript %1 wurde nicht gestartet</translation>
+    </message>
+    <message>
+        <source>Script %1 was stopped</source>
+        <translation>Skript %1 wurde angehalten</translation>
+    </message>
+    <message>
+        <source>The link was lost: it may run on. Stop it once the board is back.</source>
+        <translation>Die Verbindung ging verloren: Es läuft vielleicht weiter. Halten Sie es an, sobald das Board wieder da ist.</translation>
+    </message>
+    <message>
+        <source>Script %1 broke off</source>
+        <translation>Skript %1 brach ab</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>The board has told that a script ended.</source>
+        <translation>Das Board hat gemeldet, dass ein Skript zu Ende ging.</translation>
+    </message>
+    <message>
+        <source>Told to stop</source>
+        <translation>Halt befohlen</translation>
+    </message>
+    <message>
+        <source>The board confirms it. Whether a script ran before, nothing shows.</source>
+        <translation>Das Board bestätigt es. Ob vorher ein Skript lief, zeigt nichts.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Empty the slot. What is in it is kept, and can be restored</source>
+        <translation>Den Platz leeren. Was darin ist, wird aufgehoben und lässt sich wiederherstellen</translation>
+    </message>
+    <message>
+        <source>⚠ Writing slot %1 was broken off: what it holds is not certain, and it is not run. Load the script again, restore what was there, or erase it.</source>
+        <translation>⚠ Das Schreiben von Platz %1 wurde abgebrochen: Was er enthält, ist nicht sicher, und es wird nicht ausgeführt. Laden Sie das Skript neu, stellen Sie wieder her, was darin war, oder löschen Sie es.</translation>
+    </message>
+    <message>
+        <source>What was in it is kept, and can be restored.</source>
+        <translation>Was darin war, ist aufgehoben und lässt sich wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>Commands as the board tells them</source>
+        <translation>Befehle, wie das Board sie meldet</translation>
+    </message>
+    <message>
+        <source>Commands of the script</source>
+        <translation>Befehle des Skripts</translation>
+    </message>
+    <message>
+        <source>%1 s: command %2</source>
+        <translation>%1 s: Befehl %2</translation>
     </message>
 </context>
 <context>
@@ -20431,10 +20784,6 @@ Spitze %2°</translation>
         <translation>Startet ein Skript und nennt jeden Befehl, den das Board ausführt. Abbrechen hält das Skript an.</translation>
     </message>
     <message>
-        <source>The slots that hold a script, with its size.</source>
-        <translation>Die Plätze, die ein Skript enthalten, mit seiner Größe.</translation>
-    </message>
-    <message>
         <source>All values are so already.</source>
         <translation>Alle Werte sind schon so.</translation>
     </message>
@@ -22161,6 +22510,42 @@ Spitze %2°</translation>
     <message>
         <source>whole-loop</source>
         <translation>ganzer Regelkreis</translation>
+    </message>
+    <message>
+        <source>Copies the compiled script in a slot into a file.</source>
+        <translation>Kopiert das übersetzte Skript in einem Platz in eine Datei.</translation>
+    </message>
+    <message>
+        <source>Empties a slot. What is in it is copied into a file first.</source>
+        <translation>Leert einen Platz. Was darin ist, wird vorher in eine Datei kopiert.</translation>
+    </message>
+    <message>
+        <source>Erase a script</source>
+        <translation>Skript löschen</translation>
+    </message>
+    <message>
+        <source>Load a script</source>
+        <translation>Skript laden</translation>
+    </message>
+    <message>
+        <source>New file for what is in the slot</source>
+        <translation>Neue Datei für das, was im Platz ist</translation>
+    </message>
+    <message>
+        <source>Save a script</source>
+        <translation>Skript sichern</translation>
+    </message>
+    <message>
+        <source>Stops the script that runs. The motors go on.</source>
+        <translation>Hält das laufende Skript an. Die Motoren laufen weiter.</translation>
+    </message>
+    <message>
+        <source>The slots for scripts and how many bytes each holds.</source>
+        <translation>Die Plätze für Skripte und wie viele Bytes jeder enthält.</translation>
+    </message>
+    <message>
+        <source>Writes a compiled script into a slot and compares. What is in the slot is copied into a file first.</source>
+        <translation>Schreibt ein übersetztes Skript in einen Platz und vergleicht. Was im Platz ist, wird vorher in eine Datei kopiert.</translation>
     </message>
 </context>
 <context>

@@ -547,6 +547,23 @@
     </message>
 </context>
 <context>
+    <name>ScriptSlotsPage</name>
+    <message numerus="yes">
+        <source>%n byte(s)</source>
+        <translation>
+            <numerusform>%n byte</numerusform>
+            <numerusform>%n bytes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No other command for %n second(s): it waits, or has ended.</source>
+        <translation>
+            <numerusform>No other command for %n second: it waits, or has ended.</numerusform>
+            <numerusform>No other command for %n seconds: it waits, or has ended.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ScriptsPage</name>
     <message numerus="yes">
         <source>The texts of %n other script(s) that were not taken over are lost as well.</source>

@@ -89,8 +89,8 @@ Result<QList<int>> findChannels(ChannelTable table, const QStringList &keys)
 Commands allCommands(const CommandContext &context)
 {
     Commands all;
-    for (auto part : {parameterCommands, fileCommands, textCommands, actionCommands, recordingCommands,
-                      linkCommands, videoCommands, rawCommands, setupCommands}) {
+    for (auto part : {parameterCommands, fileCommands, scriptCommands, textCommands, actionCommands,
+                      recordingCommands, linkCommands, videoCommands, rawCommands, setupCommands}) {
         for (auto &command : part(context))
             all.push_back(std::move(command));
     }

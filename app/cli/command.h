@@ -208,6 +208,7 @@ using Commands = std::vector<std::unique_ptr<Command>>;
 
 [[nodiscard]] Commands parameterCommands(const CommandContext &context);
 [[nodiscard]] Commands fileCommands(const CommandContext &context);
+[[nodiscard]] Commands scriptCommands(const CommandContext &context);
 [[nodiscard]] Commands textCommands(const CommandContext &context);
 [[nodiscard]] Commands actionCommands(const CommandContext &context);
 [[nodiscard]] Commands recordingCommands(const CommandContext &context);

@@ -398,84 +398,9 @@ private:
     std::optional<OtherValues> m_others;
 };
 
-class ScriptCommand final : public BoardCommand
-{
-public:
-    using BoardCommand::BoardCommand;
-    const char *name() const override { return "script"; }
-    const char *words() const override { return "N [FILE]"; }
-    QString help() const override
-    {
-        return u"text of a script of the board; with a file, compile and write it"_s;
-    }
-    const char *example() const override { return "--link serial:/dev/ttyUSB0 script 1 look-around.scr"; }
-    QList<CommandOption> options() override { return {dryRunOption(m_dryRun), othersOption(m_others)}; }
-    QString check() const override
-    {
-        bool ok = false;
-        arguments().value(0).toInt(&ok);
-        return ok && arguments().size() <= 2 ? QString()
-                                             : u"script needs the number of a script, and maybe a file"_s;
-    }
-    Result<CommandOutcome> run(Channel &channel, Device &device) override
-    {
-        const Family *family = findFamily(families(), device.identity().family);
-        const int script = arguments().first().toInt() - 1;
-        if (!family || !family->scripts)
-            return failure(ErrorCode::Unsupported, u"boards of this family keep no scripts"_s);
-        if (script < 0 || script >= family->scripts->count())
-            return failure(ErrorCode::InvalidArgument,
-                           u"there are scripts 1 to %1"_s.arg(family->scripts->count()));
-        WriteOptions options;
-        options.history = &history();
-        const auto base = arguments().size() == 1 || m_dryRun ? device.readConfiguration(channel)
-                                                              : readBase(channel, device, m_others, options);
-        if (!base)
-            return tl::unexpected(base.error());
-        const BlockKey key{0, family->scripts->block()};
-        // What did not come this time can be read the next time.
-        const MissingPart *part = base->findMissing(key);
-        if (part && part->why.code != ErrorCode::Unsupported)
-            return failure(ErrorCode::Incomplete, base->partName(key));
-        if (base->block(key).isEmpty())
-            return failure(ErrorCode::Unsupported, u"the scripts cannot be read over this link"_s);
-        if (arguments().size() == 1) {
-            CommandOutcome outcome;
-            outcome.text = family->scripts->text(*base, script);
-            outcome.json = QJsonObject{{u"script"_s, script + 1}, {u"text"_s, outcome.text}};
-            reportMissing(outcome, *base, kTheBoard, true);
-            return outcome;
-        }
-        const auto text = readWhole(arguments()[1], FileKind::Script, kLargestScript);
-        if (!text)
-            return tl::unexpected(text.error());
-        QStringList texts;
-        for (int each = 0; each < family->scripts->count(); ++each)
-            texts.append(each == script ? QString::fromUtf8(*text) : family->scripts->text(*base, each));
-        const auto code = family->scripts->compile(*base, texts);
-        if (!code)
-            return tl::unexpected(code.error().error());
-        Configuration edited = *base;
-        edited.setBlock(key, *code);
-        options.named.insert(QLatin1String(base->parameters().block(key.block)->data));
-        if (!m_dryRun)
-            return writeAndTellMissing(channel, device, *base, edited, options);
-        const auto [used, all] = family->scripts->used(edited);
-        CommandOutcome outcome;
-        outcome.json = QJsonObject{{u"bytesUsed"_s, used}, {u"bytes"_s, all}};
-        outcome.text = u"compiles; %1 of %2 bytes would be used\n"_s.arg(used).arg(all);
-        return outcome;
-    }
-
-private:
-    static constexpr qint64 kLargestScript = 65536;
-    bool m_dryRun = false;
-    std::optional<OtherValues> m_others;
-};
-
 }  // namespace
 
 Commands fileCommands(const CommandContext &context)
 {
-    return makeCommands<PortsCommand, DumpCommand, DiffCommand, ApplyCommand, ScriptCommand>(context);
+    return makeCommands<PortsCommand, DumpCommand, DiffCommand, ApplyCommand>(context);
 }

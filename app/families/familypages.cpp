@@ -11,6 +11,7 @@
 #if GIMBAL_WITH_SIMPLEBGC
 #include "app/families/simplebgc/autotunepage.h"
 #include "app/families/simplebgc/calibrationpage.h"
+#include "app/families/simplebgc/scriptslotspage.h"
 #include "app/families/simplebgc/signalspage.h"
 #include "app/families/simplebgc/wholeboardpage.h"
 #endif
@@ -20,6 +21,18 @@
 #endif
 
 #include <QCoreApplication>
+
+#if GIMBAL_WITH_SIMPLEBGC
+namespace {
+
+bool keepsScriptSlots(const Workspace &workspace)
+{
+    const DeviceClient &client = workspace.client();
+    return !client.isConnected() || client.identity().capabilities.contains(QStringLiteral("scripting"));
+}
+
+}  // namespace
+#endif
 
 // clang-format off
 QList<PageEntry> familyPages()
@@ -34,6 +47,7 @@ QList<PageEntry> familyPages()
 #if GIMBAL_WITH_SIMPLEBGC
     pages += {
         {"calibration", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<CalibrationPage>, nullptr, "simplebgc", "profiles"},
+        {"scriptslots", QT_TRANSLATE_NOOP("Pages", "Scripts"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<ScriptSlotsPage>, keepsScriptSlots, "simplebgc", "profiles"},
         {"signals", QT_TRANSLATE_NOOP("Pages", "Signals"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<SignalsPage>, nullptr, "simplebgc", "control"},
         {"wholeboard", QT_TRANSLATE_NOOP("Pages", "Whole board"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<WholeBoardPage>, nullptr, "simplebgc", "backups"},
         {"autotune", QT_TRANSLATE_NOOP("Pages", "Auto-tune"), QT_TRANSLATE_NOOP("Pages", "Tune"), makePage<AutoTunePage>, nullptr, "simplebgc", "response"},

@@ -300,6 +300,7 @@ void Tour::addCalibrationSteps()
     addRemoteSteps();
     m_steps.append({u"signals"_s, show(u"signals"_s), {}, 800, {}, false});
     m_steps.append({u"wholeboard"_s, show(u"wholeboard"_s), {}, 400, {}, false});
+    m_steps.append({u"scriptslots"_s, show(u"scriptslots"_s), {}, 800, {}, false});
     m_steps.append({u"calibration"_s, show(u"calibration"_s), {}, 400, {}, false});
     m_steps.append({u"calibration-waiting"_s,
                     [this, page] {

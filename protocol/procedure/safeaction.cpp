@@ -339,7 +339,9 @@ Result<void> SafeAction::backUp()
         return {};
     m_outcome.snapshotPath = m_backup->snapshotPath;
     m_backup->endedBy = QLatin1String(m_action.endedBy);
-    m_backup->isUnseen = !m_action.isShown;
+    // Nor is a file of the board.
+    const bool isOfFiles = m_key.startsWith(u"file."_s) || m_key.startsWith(u"script."_s);
+    m_backup->isUnseen = !m_action.isShown || isOfFiles;
     m_backup->isUnstored = m_action.memory == MemoryEffect::ChangesInUse;
     m_backup->isStoring = m_memory && m_action.memory == MemoryEffect::Stores;
     m_backup->isStoreUntold = m_action.memory == MemoryEffect::Stores && !m_memory;

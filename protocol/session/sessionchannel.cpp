@@ -138,10 +138,12 @@ Result<void> SessionChannel::pause(milliseconds duration)
 class SessionMailbox final : public Mailbox, public FrameListener
 {
 public:
-    SessionMailbox(Session &session, std::shared_ptr<JobControl> control,
+    /// @param isHeld whether what is cancelled goes on for now (Channel::holdCancel()); read by the job alone
+    SessionMailbox(Session &session, std::shared_ptr<JobControl> control, const bool &isHeld,
                    std::function<bool(const FrameView &)> filter)
         : m_session(session)
         , m_control(std::move(control))
+        , m_isHeld(isHeld)
         , m_filter(std::move(filter))
     {
         m_closedConnection = QObject::connect(
@@ -182,9 +184,10 @@ public:
     Result<Frame> next(milliseconds timeout) override
     {
         std::unique_lock lock(m_control->m_mutex);
+        const auto isCancelled = [&] { return !m_isHeld && m_control->isCancelled(); };
         m_control->m_wake.wait_for(lock, timeout,
-                                   [&] { return !m_frames.empty() || m_closed || m_control->isCancelled(); });
-        if (m_control->isCancelled())
+                                   [&] { return !m_frames.empty() || m_closed || isCancelled(); });
+        if (isCancelled())
             return tl::unexpected(m_control->m_why);
         if (!m_frames.empty()) {
             Frame frame = std::move(m_frames.front());
@@ -199,6 +202,7 @@ public:
 private:
     Session &m_session;
     std::shared_ptr<JobControl> m_control;
+    const bool &m_isHeld;
     std::function<bool(const FrameView &)> m_filter;
     std::deque<Frame> m_frames;
     std::optional<Error> m_closed;
@@ -207,7 +211,7 @@ private:
 
 std::unique_ptr<Mailbox> SessionChannel::listen(std::function<bool(const FrameView &)> filter)
 {
-    return std::make_unique<SessionMailbox>(m_session, m_control, std::move(filter));
+    return std::make_unique<SessionMailbox>(m_session, m_control, m_held, std::move(filter));
 }
 
 Result<void> SessionChannel::setLine(const LineSettings &line)

@@ -86,7 +86,6 @@ private:
     Result<ActionReply> saveFile(const QVariantMap &arguments);
     Result<ActionReply> loadFile(const QVariantMap &arguments);
     Result<ActionReply> eraseFile(const QVariantMap &arguments);
-    Result<ActionReply> runScript(const QVariantMap &arguments);
     Result<ActionReply> readSlots(const QVariantMap &arguments);
     // memoryactions.cpp
     Result<ActionReply> saveMemory(const QVariantMap &arguments);
@@ -104,6 +103,11 @@ private:
     Result<ActionReply> readAttitude(const QVariantMap &arguments);
     Result<ActionReply> feed(const QVariantMap &arguments);
     Result<ActionReply> listScripts(const QVariantMap &arguments);
+    Result<ActionReply> saveScript(const QVariantMap &arguments);
+    Result<ActionReply> loadScript(const QVariantMap &arguments);
+    Result<ActionReply> eraseScript(const QVariantMap &arguments);
+    Result<ActionReply> runScript(const QVariantMap &arguments);
+    Result<ActionReply> stopScript(const QVariantMap &arguments);
     Result<ActionReply> followScript(const QVariantMap &arguments);
     Result<ActionReply> useDefaults(const QVariantMap &arguments);
     // attitudeactions.cpp
@@ -229,6 +233,24 @@ private:
     Result<QByteArray> readFile(int type, int index);
     Result<void> putFile(int type, int index, const QByteArray &content);
     static Error fileRefusal(int code);
+    [[nodiscard]] int scriptSlots() const;
+    /// Errors: OutOfRange. @param slot from 0, as everywhere below
+    [[nodiscard]] Result<void> checkSlot(int slot) const;
+    /// Bytes, 0 = empty. Errors: BoardError where it cannot be read, those of the link.
+    Result<int> scriptSize(int slot);
+    /// The same of its bytes.
+    Result<QByteArray> scriptIn(int slot);
+    /// Whether there is one that can run. Errors: ConditionUnmet, and as above.
+    Result<void> checkScript(int slot);
+    /// Writes a script into a slot, or erases it, with a copy of what is there before.
+    /// Errors: InvalidArgument, BadFile, NoBackup before anything is sent; then those of the board, NoEffect.
+    Result<ActionReply> replaceScript(int slot, const QByteArray &wanted, const QString &keep);
+    /// Proven by reading back. Errors: NoEffect, those of the board and of the link.
+    Result<void> putScript(int slot, const QByteArray &content);
+    bool takeScriptBack(int slot, const QByteArray &old);
+    Result<ActionReply> orderScript(int mode, int slot);
+    class ScriptEvents;
+    Result<ActionReply> endScript(int slot, ScriptEvents &events);
 
     /// The angles, once the camera is where its target is; it is steered until then.
     /// Errors: NotSeen, those of the link.

@@ -226,6 +226,11 @@ constexpr ArgumentSpec kFileArguments[] = {
 constexpr ArgumentSpec kScriptArguments[] = {
     {.key = "mode", .label = "What to do", .kind = ArgumentKind::Choice, .choices = kScriptModes, .defaultText = "start"},
     {.key = "slot", .label = "Slot", .kind = ArgumentKind::Integer, .min = 1, .max = 10, .defaultText = "1"}};
+constexpr ArgumentSpec kSlotArguments[] = {
+    {.key = "slot", .label = "Slot", .kind = ArgumentKind::Integer, .min = 1, .max = 10},
+    {.key = "keep", .label = "New file for what is in the slot", .kind = ArgumentKind::Text},
+    {.key = "file", .label = "File", .kind = ArgumentKind::Text}};
+constexpr ArgumentSpec kSlotFile[] = {kSlotArguments[0], kSlotArguments[2]};
 constexpr Choice kBuses[] = {{0, "sensors"}, {1, "internal"}};
 constexpr ArgumentSpec kBusArguments[] = {
     {.key = "bus", .label = "Bus", .kind = ArgumentKind::Choice, .choices = kBuses, .defaultText = "sensors"},
@@ -450,11 +455,20 @@ constexpr ActionSpec kActions[] = {
      .confirm = "Scripts and calibrations are to be erased"},
     {.key = "script", .label = "Run script", .help = "Starts or stops a script that is in the board.", .group = "Motion",
      .risk = ActionRisk::Moves, .arguments = kScriptArguments, .isShown = false},
-    {.key = "script.list", .label = "List scripts", .help = "The slots that hold a script, with its size.", .group = "Read",
+    {.key = "script.stop", .label = "Stop script", .help = "Stops the script that runs. The motors go on.", .group = "Motion",
+     .arguments = std::span(kScriptArguments).subspan(1), .isShown = false},
+    {.key = "script.list", .label = "List scripts", .help = "The slots for scripts and how many bytes each holds.", .group = "Read",
      .units = kByteUnits},
+    {.key = "script.save", .label = "Save a script", .help = "Copies the compiled script in a slot into a file.", .group = "Memory",
+     .arguments = kSlotFile, .isProcedure = true, .units = kByteUnits},
+    {.key = "script.load", .label = "Load a script",
+     .help = "Writes a compiled script into a slot and compares. What is in the slot is copied into a file first.", .group = "Memory",
+     .risk = ActionRisk::Destroys, .arguments = kSlotArguments, .isProcedure = true, .units = kByteUnits},
+    {.key = "script.erase", .label = "Erase a script", .help = "Empties a slot. What is in it is copied into a file first.", .group = "Memory",
+     .risk = ActionRisk::Destroys, .arguments = std::span(kSlotArguments).first(2), .isProcedure = true, .units = kByteUnits},
     {.key = "script.follow", .label = "Run script and follow it",
      .help = "Starts a script and tells each command that the board carries out. Cancel stops the script.", .group = "Motion",
-     .risk = ActionRisk::Moves, .arguments = std::span(kScriptArguments).subspan(1), .isProcedure = true, .isShown = false},
+     .risk = ActionRisk::Moves, .arguments = std::span(kScriptArguments).subspan(1), .isProcedure = true},
     {.key = "slots.read", .label = "Read slots", .help = "What comes in at the slots of adjustable variables and menu commands, and what it sets.",
      .group = "Signals", .units = kSlotUnits},
     {.key = "attitude", .label = "Read attitude vectors", .help = "Where gravity and north are, as a sensor sees them.", .group = "Read",

@@ -30,7 +30,6 @@ constexpr int kUndefinedSignal = -10000;
 constexpr int kFineUndefined = -32768;
 constexpr double kFineFull = 16384;
 constexpr int kFilePart = 192;
-constexpr qint64 kLargestFile = 65535;
 constexpr int kExternalSize = 128;
 
 }  // namespace
@@ -331,13 +330,6 @@ Result<ActionReply> Actions::readSlots(const QVariantMap &)
         reply.insert(u"no_signal"_s, silent.join(u", "_s));
     return reply.isEmpty() ? failure(ErrorCode::ConditionUnmet, u"no slot has a signal"_s)
                            : Result<ActionReply>(reply);
-}
-
-Result<ActionReply> Actions::runScript(const QVariantMap &arguments)
-{
-    const int mode = arguments.value(u"mode"_s).toInt();
-    const int slot = arguments.value(u"slot"_s).toInt() - 1;
-    return confirm(CommandId::RunScript, ByteWriter().u8(mode).u8(slot).zeros(32).take());
 }
 
 }  // namespace simplebgc

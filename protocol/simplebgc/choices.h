@@ -11,6 +11,7 @@ namespace simplebgc {
 
 inline constexpr int kScriptFile = 1;  ///< type of a file (errata 3.21)
 inline constexpr int kFilePage = 64;  ///< bytes
+inline constexpr int kLargestFile = 65535;
 inline constexpr int kWholeMemory = 0;  ///< part of a copy that is restored
 inline constexpr int kAllMotors = 255;  ///< of ENCODERS_CALIB_OFFSET_4
 inline constexpr int kMostI2c = 64;  ///< bytes that one command reads or writes on a bus

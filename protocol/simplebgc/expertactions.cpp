@@ -29,8 +29,6 @@ constexpr auto kBootSettles = 500ms;
 constexpr int kBootQuestions = 3;
 constexpr qint64 kLargestFeed = 16 * 1024 * 1024;
 constexpr int kWideModeSince = 2695;  // AHRS_HELPER has two bytes of mode (errata 3.22)
-constexpr char kNoSuchFile = 2;
-constexpr auto kScriptWaits = 5s;
 constexpr auto kLate = 200ms;  // what is older corrects nothing any more
 
 QString deviceText(int device)
@@ -285,69 +283,6 @@ Result<ActionReply> Actions::feed(const QVariantMap &arguments)
     if (skipped > 0)
         reply.insert(u"late"_s, skipped);
     return reply;
-}
-
-// Only what is asked for as a file tells its size; BOARD_INFO_3 knows five slots of ten.
-Result<ActionReply> Actions::listScripts(const QVariantMap &)
-{
-    const int slotCount = m_device.m_identity.firmwareNumber >= kLater ? 10 : 5;
-    ActionReply reply;
-    for (int slot = 0; slot < slotCount; ++slot) {
-        const auto frame = m_channel.transact(replyRequest(
-            CommandId::ReadFile, ByteWriter().u8(kScriptFile).u8(slot).u16(0).u16(kFilePage).zeros(14).take(),
-            CommandId::ReadFile, 4 + kFilePage, Device::kVersion));
-        if (!frame)
-            return tl::unexpected(frame.error());
-        const int size = frame->payload.size() == 1 ? 0 : int(ByteReader(frame->payload).u16());
-        if (frame->payload.size() == 1 && frame->payload[0] != kNoSuchFile)
-            return tl::unexpected(fileRefusal(quint8(frame->payload[0])));
-        if (size > 0)
-            reply.insert(u"script%1.bytes"_s.arg(slot + 1), size);
-    }
-    return reply.isEmpty() ? ActionReply{{u"text"_s, u"no script"_s}} : reply;
-}
-
-// The board tells each command that it carries out, and nothing at the end: it falls silent, as it does while
-// a script waits.
-Result<ActionReply> Actions::followScript(const QVariantMap &arguments)
-{
-    constexpr int kStop = 0;
-    constexpr int kDebug = 2;
-    const int slot = arguments.value(u"slot"_s).toInt() - 1;
-    const auto order = [&](int mode) {
-        return confirm(CommandId::RunScript, ByteWriter().u8(mode).u8(slot).zeros(32).take());
-    };
-    const auto told
-        = m_channel.listen([](const FrameView &frame) { return frame.id == number(CommandId::ScriptDebug); });
-    if (const auto begun = order(kDebug); !begun)
-        return begun;
-    Progress progress;
-    progress.step = u"script"_s;
-    progress.subject = QString::number(slot + 1);
-    int command = 0;
-    int code = 0;
-    for (TimePoint heard = m_channel.now(); code == 0 && m_channel.now() - heard < kScriptWaits;) {
-        const auto frame = told->next(200ms);
-        if (!frame && frame.error().code == ErrorCode::Cancelled) {
-            const Unbroken unbroken(m_channel);
-            const auto stopped = order(kStop);
-            return stopped ? failure(ErrorCode::Cancelled, u"stopped at command %1"_s.arg(command)) : stopped;
-        }
-        if (!frame && frame.error().code != ErrorCode::Timeout)
-            return tl::unexpected(frame.error());
-        if (!frame)
-            continue;
-        heard = m_channel.now();
-        ByteReader reader(frame->payload);
-        command = reader.u16();
-        code = reader.u8();
-        progress.values[u"command"_s] = command;
-        m_channel.progress(progress);
-    }
-    if (code != 0)
-        return failure(ErrorCode::BoardError, u"command %1: %2"_s.arg(command).arg(fileRefusal(code).detail),
-                       code);
-    return ActionReply{{u"command"_s, command}};
 }
 
 }  // namespace simplebgc

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/families/bcflight/benchpage.h"
+#include "app/families/simplebgc/scriptslotspage.h"
 #include "app/families/simplebgc/wholeboardpage.h"
 #include "app/families/storm32/sensorpage.h"
 #include "app/pages/board/backupspage.h"
@@ -114,6 +115,21 @@ void sharePicture(WindowRig &rig)
 }
 
 /// A place in the sources that asks for a path, and how the operator gets there.
+// A slot of a board whose scripts have been read holds a script.
+void pressInSlot(WindowRig &rig, const char16_t *button)
+{
+    QFile script(rig.filePath(u"placed.bin"_s));
+    if (!script.open(QIODevice::WriteOnly) || script.write("script") <= 0)
+        qFatal("no file");
+    script.close();
+    rig.client().submit<ActionReply>([path = script.fileName()](Channel &channel, Device &device) {
+        return device.perform(channel, u"file.load"_s, {{u"type"_s, 1}, {u"number"_s, 0}, {u"file"_s, path}});
+    });
+    auto *page = rig.page<ScriptSlotsPage>();
+    QVERIFY(QTest::qWaitFor([page] { return named<QPushButton>(page, u"Save…"_s)->isEnabled(); }, kPatience));
+    press<ScriptSlotsPage>(rig, button);
+}
+
 struct Caller
 {
     const char *name;
@@ -150,6 +166,8 @@ const Caller kCallers[]{
     {"firmware", "app/families/bcflight/benchcards.cpp Firmware", false, "bcflight", [](WindowRig &rig) { press<BenchPage>(rig, u"Choose a file…"); }, true},
     {"copy of a board", "app/families/simplebgc/copycard.cpp Copy into a file", true, "simplebgc", [](WindowRig &rig) { press<WholeBoardPage>(rig, u"Copy the board…"); }},
     {"board compared", "app/families/simplebgc/copycard.cpp Choose a copy", false, "simplebgc", [](WindowRig &rig) { press<WholeBoardPage>(rig, u"Compare…"); }},
+    {"load compiled script", "app/families/simplebgc/scriptslotspage.cpp Load a script", false, "simplebgc", [](WindowRig &rig) { pressInSlot(rig, u"Load…"); }, true},
+    {"save compiled script", "app/families/simplebgc/scriptslotspage.cpp Save the script", true, "simplebgc", [](WindowRig &rig) { pressInSlot(rig, u"Save…"); }, true},
     {"load document", "app/pages/setup/documentspage.cpp Load a document", false, "toy", [](WindowRig &rig) { press<DocumentsPage>(rig, u"Load file…"); }},
     {"save document", "app/pages/setup/documentspage.cpp Save the document", true, "toy", [](WindowRig &rig) { press<DocumentsPage>(rig, u"Save file…"); }},
 };

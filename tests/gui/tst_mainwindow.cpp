@@ -649,10 +649,11 @@ void TestMainWindow::tourMakesEveryPicture_data()
     QTest::addColumn<bool>("everything");
     QTest::addColumn<QStringList>("names");
     const QStringList pages{
-        u"start"_s,    u"dashboard"_s, u"parameters"_s,  u"monitor"_s,         u"review"_s,    u"written"_s,
-        u"profiles"_s, u"backups"_s,   u"calibration"_s, u"calibration-six"_s, u"tuning"_s,    u"variables"_s,
-        u"control"_s,  u"actions"_s,   u"console"_s,     u"gamepad"_s,         u"settings"_s,  u"help"_s,
-        u"palette"_s,  u"signals"_s,   u"guide"_s,       u"guide-remote"_s,    u"wholeboard"_s};
+        u"start"_s,   u"dashboard"_s,    u"parameters"_s, u"monitor"_s,     u"review"_s,
+        u"written"_s, u"profiles"_s,     u"backups"_s,    u"calibration"_s, u"calibration-six"_s,
+        u"tuning"_s,  u"variables"_s,    u"control"_s,    u"actions"_s,     u"console"_s,
+        u"gamepad"_s, u"settings"_s,     u"help"_s,       u"palette"_s,     u"signals"_s,
+        u"guide"_s,   u"guide-remote"_s, u"wholeboard"_s, u"scriptslots"_s};
     QTest::newRow("pages") << false << pages;
     QTest::newRow("everything") << true
                                 << (pages

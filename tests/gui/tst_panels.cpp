@@ -66,6 +66,7 @@ constexpr PanelSite kSites[]{
     {nullptr, "app/pages/board/flighttext.cpp askToTune"},
     {"forget", "app/pages/setup/guidepage.cpp forget"},
     {nullptr, "app/families/bcflight/picturesettings.cpp openLens"},
+    {nullptr, "app/families/simplebgc/scriptslotspage.cpp askToRun"},  // see tst_scriptslots
     {nullptr, "app/workspace/filedialogs.cpp openBeside"},  // see fileDialogsLeaveTheMotorsInReach
     {nullptr, "app/workspace/filedialogs.cpp askToReplace"},  // comes after it; see tst_filedialogs
     {"back", "app/mainwindow/bars.cpp goBack", true},

@@ -22,7 +22,7 @@ namespace {
 constexpr std::array kCommands{
     "info",   "list",    "get",     "set",       "profiles",   "rename",  "ports",    "dump",   "diff",
     "apply",  "script",  "do",      "calibrate", "motor-test", "upload",  "autotune", "motors", "streams",
-    "export", "analyze", "monitor", "record",    "publish",    "measure", "config"};
+    "export", "analyze", "monitor", "record",    "publish",    "measure", "config",   "scripts"};
 
 struct Run
 {

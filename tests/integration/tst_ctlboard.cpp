@@ -3,6 +3,7 @@
 #include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
@@ -56,6 +57,7 @@ private slots:
     void filesComeBack();
     void allFilesAreErased();
     void calibrationsComeBack();
+    void scriptsAreLoadedRunAndErased();
     void feedSendsRows();
     void busesAreSearchedReadAndWritten();
 
@@ -191,6 +193,47 @@ void TestCtlBoard::calibrationsComeBack()
     QCOMPARE(told.reply().value(u"imu-calibration 0"_s).toString(), u"36 bytes -> 36 bytes"_s);
     DONE(perform({u"calibration.restore"_s, file("a"), u"--confirmed"_s}));
     QCOMPARE(perform({u"calibration.compare"_s, file("a")}).reply().value(u"files_differing"_s).toInt(-1), 0);
+}
+
+void TestCtlBoard::scriptsAreLoadedRunAndErased()
+{
+    const auto scripts = [this](const QStringList &words) {
+        return ctl(QStringList{u"--json"_s, u"scripts"_s} + words);
+    };
+    const auto slot = [&scripts](int number) {
+        const QJsonDocument told = QJsonDocument::fromJson(scripts({u"list"_s}).out.toUtf8());
+        return told.object().value(u"slots"_s).toArray().at(number - 1).toObject();
+    };
+    put(path("new"), QByteArray(30, 'x'));
+    DONE(scripts({u"load"_s, u"2"_s, path("new")}));
+    QCOMPARE(slot(2).value(u"bytes"_s).toInt(), 30);
+    QCOMPARE(slot(10).value(u"bytes"_s).toInt(), 0);
+    DONE(scripts({u"save"_s, u"2"_s, path("back")}));
+    QCOMPARE(contentOf(path("back")), QByteArray(30, 'x'));
+    // Nobody knows what it does.
+    REFUSED(scripts({u"run"_s, u"2"_s}), u"--confirmed"_s);
+    const Run followed = ctl({u"scripts"_s, u"run"_s, u"2"_s, u"--follow"_s, u"--confirmed"_s});
+    DONE(followed);
+    QVERIFY2(followed.err.contains(u"Script 2 runs: command 7"_s), qPrintable(followed.err));
+    QVERIFY2(followed.out.contains(u"command              30"_s), qPrintable(followed.out));
+    put(path("long"), QByteArray(600, 'x'));
+    DONE(scripts({u"load"_s, u"2"_s, path("long")}));
+    const Run begun = scripts({u"run"_s, u"2"_s, u"--confirmed"_s});
+    DONE(begun);
+    QVERIFY2(begun.reply().value(u"running"_s).toBool(), qPrintable(begun.out));
+    const Run stopped = scripts({u"stop"_s});
+    DONE(stopped);
+    QVERIFY2(stopped.reply().value(u"stopped"_s).toBool(), qPrintable(stopped.out));
+    const Run erased = ctl({u"scripts"_s, u"erase"_s, u"2"_s});
+    DONE(erased);
+    QVERIFY2(erased.err.contains(u"what was in the slot: "_s), qPrintable(erased.err));
+    QCOMPARE(contentOf(slot(2).value(u"kept"_s).toString()), QByteArray(600, 'x'));
+    DONE(scripts({u"load"_s, u"2"_s, slot(2).value(u"kept"_s).toString()}));
+    QCOMPARE(slot(2).value(u"bytes"_s).toInt(), 600);
+    REFUSED(scripts({u"run"_s, u"3"_s, u"--confirmed"_s}), u"slot 3 holds no script"_s);
+    REFUSED(scripts({u"load"_s, u"11"_s, path("new")}), u"slots 1 to 10"_s);
+    QCOMPARE(scripts({u"load"_s, u"2"_s}).exitCode, 2);
+    QCOMPARE(scripts({u"compile"_s, u"2"_s}).exitCode, 2);
 }
 
 void TestCtlBoard::feedSendsRows()

@@ -276,7 +276,10 @@ row('READ_FILE', '<', p('HH', 500, 3) + count(64), 'size=500 page=3')
 row('WRITE_FILE', '>', p('BBHH', 1, 2, 500, 3) + count(64), 'type=1 number=2 size=500 page=3')
 row('FS_CLEAR_ALL', '>', b'', '')
 row('RUN_SCRIPT', '>', p('BB32x', 2, 4), 'mode=2 slot=4')
+row('RUN_SCRIPT', '>', p('BB32x', 1, 9), 'mode=1 slot=9')
+row('RUN_SCRIPT', '>', p('BB32x', 0, 0), 'mode=0 slot=0')
 row('SCRIPT_DEBUG', '<', p('HB', 17, 2), 'command=17 code=2')
+row('SCRIPT_DEBUG', '<', p('HB', 300, 0), 'command=300 code=0')
 
 # --- modules and motors outside ---
 row('MODULE_LIST', '>', b'', '')

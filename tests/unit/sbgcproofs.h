@@ -12,7 +12,7 @@ struct SbgcProof
 
 // clang-format off
 inline constexpr SbgcProof kSbgcProofs[] = {
-    {20, "tst_sbgcactions", "scriptsRun"},
+    {20, "tst_sbgcscripts", "everySlotTellsItsSize"},
     {21, "tst_sbgcgenerations", "blocksComeBackAsWritten"},
     {22, "tst_sbgcgenerations", "blocksComeBackAsWritten"},
     {23, "tst_sbgcgenerations", "frameAnglesNeedASensor"},
@@ -46,8 +46,8 @@ inline constexpr SbgcProof kSbgcProofs[] = {
     {54, "tst_sbgcactions", "filesComeBack"},
     {55, "tst_sbgcwholeboard", "filesAreErasedAfterACopy"},
     {56, "tst_sbgcexpert", "attitudeIsReplaced"},
-    {57, "tst_sbgcactions", "scriptsRun"},
-    {58, "tst_sbgcexpert", "scriptIsFollowed"},
+    {57, "tst_sbgcscripts", "scriptsRun"},
+    {58, "tst_sbgcscripts", "scriptIsFollowed"},
     {59, "tst_sbgcsensors", "magnetometerIsCalibrated"},
     {61, "tst_sbgcdevice", "aMissingSensorHasNoAngles"},
     {62, "tst_sbgcgenerations", "blocksComeBackAsWritten"},

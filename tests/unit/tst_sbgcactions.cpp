@@ -68,7 +68,6 @@ private slots:
     void imagesAreChecked_data();
     void imagesAreChecked();
     void filesComeBack();
-    void scriptsRun();
     void variablesTellAboutThemselves();
     void calibrationsThatRestartAreKnown();
 };
@@ -472,32 +471,6 @@ void TestSbgcActions::filesComeBack()
     SAYS(rig.perform("file.load",
                      {{u"type"_s, u"script"_s}, {u"number"_s, u"2"_s}, {u"file"_s, rig.path(u"script"_s)}}),
          u"no free space"_s);
-}
-
-void TestSbgcActions::scriptsRun()
-{
-    SbgcRig rig;
-    SAYS(rig.perform("script", {{u"slot"_s, u"3"_s}}), u"wrong parameters"_s);
-    QFile file(rig.path(u"script"_s));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("abc");
-    file.close();
-    QVERIFY(rig.perform(
-        "file.load", {{u"type"_s, u"script"_s}, {u"number"_s, u"2"_s}, {u"file"_s, rig.path(u"script"_s)}}));
-    const auto lines = rig.channel.listen(
-        [](const FrameView &frame) { return frame.id == number(CommandId::ScriptDebug); });
-    QVERIFY(rig.perform("script", {{u"slot"_s, u"3"_s}, {u"mode"_s, u"debug"_s}}));
-    for (int line = 1; line <= 3; ++line) {
-        const auto told = lines->next(1s);
-        QVERIFY(told);
-        QCOMPARE(ByteReader(told->payload).u16(), line);
-    }
-    QVERIFY(!lines->next(1s));
-    // Their sizes are told.
-    const auto info
-        = rig.channel.transact(replyRequest(CommandId::BoardInfo3, {}, CommandId::BoardInfo3, 69, 1));
-    QVERIFY(info);
-    QCOMPARE(int(BoardInfo3::decode(asBytes(info->payload))->scriptSizes[2]), 3);
 }
 
 void TestSbgcActions::variablesTellAboutThemselves()

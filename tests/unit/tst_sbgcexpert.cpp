@@ -39,8 +39,6 @@ private slots:
     void slotsTellTheirSignals_data();
     void slotsTellTheirSignals();
     void channelsAreSteeredLikeSticks();
-    void scriptsAreListed();
-    void scriptIsFollowed();
     void cancelledSignalIsTakenBack();
     void gyroscopeIsCorrected();
     void frameIsTold();
@@ -194,47 +192,6 @@ void TestSbgcExpert::channelsAreSteeredLikeSticks()
     QVERIFY(!told().isValid());
     QCOMPARE(steering.controlFrames({mode->id, {std::nan(""), 900}, {}}).setpoint.mid(4, 6).toHex(),
              QByteArray("f0d8f401f0d8"));
-}
-
-void TestSbgcExpert::scriptsAreListed()
-{
-    SbgcRig rig;
-    QCOMPARE(rig.perform("script.list")->value(u"text"_s).toString(), u"no script"_s);
-    const QString path = written(rig, QByteArray(300, 'x'));
-    QVERIFY(rig.perform("file.load", {{u"type"_s, u"script"_s}, {u"number"_s, u"6"_s}, {u"file"_s, path}}));
-    const auto told = rig.perform("script.list");
-    QVERIFY(told);
-    QCOMPARE(told->size(), 1);
-    QCOMPARE(told->value(u"script7.bytes"_s).toInt(), 300);
-    QCOMPARE(SbgcRig(2590).perform("script.list")->value(u"text"_s).toString(), u"no script"_s);
-}
-
-void TestSbgcExpert::scriptIsFollowed()
-{
-    SbgcRig rig;
-    QVERIFY(!rig.perform("script.follow", {{u"slot"_s, u"2"_s}}));  // there is none
-    const QString path = written(rig, QByteArray(30, 'x'));
-    QVERIFY(rig.perform("file.load", {{u"type"_s, u"script"_s}, {u"number"_s, u"1"_s}, {u"file"_s, path}}));
-    const TimePoint begin = rig.channel.now();
-    const auto done = rig.perform("script.follow", {{u"slot"_s, u"2"_s}});
-    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
-    QCOMPARE(done->value(u"command"_s).toInt(), 30);
-    QVERIFY(rig.channel.now() - begin >= 3s);
-    // Who does not want to wait stops it on the board too.
-    rig.channel.cancelAfter(1s);
-    const auto cancelled = rig.perform("script.follow", {{u"slot"_s, u"2"_s}});
-    QVERIFY(!cancelled);
-    QCOMPARE(cancelled.error().code, ErrorCode::Cancelled);
-    QVERIFY2(cancelled.error().detail.contains(u"command 9"_s)
-                 || cancelled.error().detail.contains(u"command 10"_s),
-             qPrintable(cancelled.error().detail));
-    int more = 0;
-    rig.channel.setTap([&more](const FrameView &frame, TimePoint) {
-        more += frame.id == number(CommandId::ScriptDebug) ? 1 : 0;
-    });
-    rig.channel.cancelAfter(100s);
-    std::ignore = rig.channel.sleep(2s);
-    QVERIFY2(more <= 1, qPrintable(QString::number(more)));
 }
 
 // The camera would turn on and on.

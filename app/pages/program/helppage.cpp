@@ -55,13 +55,13 @@ void ruleTables(QTextDocument &document, const QColor &color)
 
 QStringList HelpPage::allTopics()
 {
-    return {u"start"_s,      u"dashboard"_s, u"monitor"_s,  u"camera"_s,      u"debug"_s,
-            u"parameters"_s, u"profiles"_s,  u"setup"_s,    u"calibration"_s, u"signals"_s,
-            u"guide"_s,      u"sensor"_s,    u"scripts"_s,  u"documents"_s,   u"backups"_s,
-            u"wholeboard"_s, u"tuning"_s,    u"spectrum"_s, u"response"_s,    u"autotune"_s,
-            u"variables"_s,  u"control"_s,   u"flight"_s,   u"actions"_s,     u"bench"_s,
-            u"console"_s,    u"gamepad"_s,   u"system"_s,   u"recordings"_s,  u"blackbox"_s,
-            u"settings"_s};
+    return {u"start"_s,      u"dashboard"_s,  u"monitor"_s, u"camera"_s,      u"debug"_s,
+            u"parameters"_s, u"profiles"_s,   u"setup"_s,   u"calibration"_s, u"signals"_s,
+            u"guide"_s,      u"sensor"_s,     u"scripts"_s, u"scriptslots"_s, u"documents"_s,
+            u"backups"_s,    u"wholeboard"_s, u"tuning"_s,  u"spectrum"_s,    u"response"_s,
+            u"autotune"_s,   u"variables"_s,  u"control"_s, u"flight"_s,      u"actions"_s,
+            u"bench"_s,      u"console"_s,    u"gamepad"_s, u"system"_s,      u"recordings"_s,
+            u"blackbox"_s,   u"settings"_s};
 }
 
 HelpPage::HelpPage(Workspace &workspace, std::function<bool(const QString &key)> isOffered, QWidget *parent)

@@ -34,7 +34,6 @@ enum Refusal {
 
 inline constexpr int kMostSources = 127;  ///< whose values fit into one frame
 inline constexpr int kMemorySize = 32768;
-inline constexpr int kScriptSlots = 5;
 inline constexpr int kFcRollPin = 3;  ///< as signal sources count them (errata 4.3)
 inline constexpr int kFcPitchPin = 4;
 inline constexpr int kMainImu = 1;
@@ -173,6 +172,7 @@ private:
     void profileSet(const Frame &frame);
     void sendFile(const Frame &frame);
     void takeFile(const Frame &frame);
+    [[nodiscard]] int scriptSlots() const;
     void runScript(int slot, bool isDebugged, int version);
     void updateScript();
     void keepCalibration(int imu);
@@ -399,7 +399,6 @@ private:
     QByteArray m_restOfMemory;
     QByteArray m_external;
     QMap<int, QByteArray> m_files;  // by type and, in the high byte, number
-    QByteArray m_arriving;  // of a file that is written
     std::array<std::vector<Block>, 6> m_sets;  // the last one is the backup
     struct Script
     {

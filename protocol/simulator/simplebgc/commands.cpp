@@ -23,6 +23,9 @@ constexpr qsizetype kStreamSpace = 512;  // with more than this in the output bu
 constexpr int kMaxStreams = 10;
 constexpr int kUnknownFirmware = 9990;
 constexpr int kBoardVersion = 30;
+constexpr int kFirstSlots = 5;  // of scripts: the later ones stand elsewhere in BOARD_INFO_3 (errata 3.2)
+constexpr int kFirstSizesAt = 25;
+constexpr int kLaterSizesAt = 40;
 
 }  // namespace
 
@@ -87,6 +90,8 @@ bool SimulatedBoard::handleRead(const Frame &frame)
         info.boardVersion = m_options.own.value(u"board"_s, kBoardVersion);
         info.firmware = m_options.faults.unknownFirmware ? kUnknownFirmware : m_options.firmware;
         info.features = ThreeAxis | BatteryMonitor | CurrentSensor | BodeTest;
+        if (!isFitted("legacy"))
+            info.features |= Scripting;
         if (isFitted("encoders"))
             info.features |= Encoders;
         if (isFitted("magnetometer") && m_options.firmware >= kLater)
@@ -105,10 +110,11 @@ bool SimulatedBoard::handleRead(const Frame &frame)
         }
         info.eepromSize = kMemorySize;
         QByteArray told = info.encode();
-        for (int i = 0; i < kScriptSlots; ++i) {
+        for (int i = 0; i < scriptSlots(); ++i) {
             const auto size = quint16(m_files.value(kScriptFile + (i << 8)).size());
-            told[25 + 2 * i] = char(size & 0xFF);
-            told[26 + 2 * i] = char(size >> 8);
+            const int at = i < kFirstSlots ? kFirstSizesAt + 2 * i : kLaterSizesAt + 2 * (i - kFirstSlots);
+            told[at] = char(size & 0xFF);
+            told[at + 1] = char(size >> 8);
         }
         for (std::size_t i = 0; i < m_sets.size(); ++i)
             told[35] = char(told[35] | (m_sets[i].empty() ? 0 : 1 << i));

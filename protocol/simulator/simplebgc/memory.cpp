@@ -133,7 +133,7 @@ bool SimulatedBoard::handleMemory(const Frame &frame)
         const int slot = reader.u8();
         if (mode == 0) {
             m_script = {};
-        } else if (mode > 2 || m_files.value(kScriptFile + (slot << 8)).isEmpty()) {
+        } else if (mode > 2 || slot >= scriptSlots() || m_files.value(kScriptFile + (slot << 8)).isEmpty()) {
             refuse(frame, kWrongParameters);
             return true;
         } else {
@@ -167,13 +167,13 @@ void SimulatedBoard::sendFile(const Frame &frame)
               .take());
 }
 
-// It is there when its last part has come; no data erase it.
+// The file has its new size with the first part, whatever becomes of the others; no data erase it.
 void SimulatedBoard::takeFile(const Frame &frame)
 {
     ByteReader reader(frame.payload);
     const int key = fileKey(reader);
     const int size = reader.u16();
-    const int page = reader.u16();
+    const int at = reader.u16() * kUnit;
     const QByteArray part = toByteArray(reader.take(reader.remaining()));
     if (!reader.ok()) {
         refuse(frame, kWrongSize);
@@ -187,15 +187,12 @@ void SimulatedBoard::takeFile(const Frame &frame)
         code = m_files.remove(key) > 0 ? 0 : kNotFound;
     } else if (used + size > kFlash) {
         code = kNoSpace;
+    } else if (at + part.size() > size) {
+        code = kWrongFileSize;
     } else {
-        if (page == 0)
-            m_arriving.clear();
-        if (m_arriving.size() != page * kUnit || page * kUnit + part.size() > size)
-            code = kWrongFileSize;
-        else
-            m_arriving += part;
-        if (code == 0 && m_arriving.size() == size)
-            m_files[key] = m_arriving;
+        QByteArray &file = m_files[key];
+        file.resize(size, '\0');
+        file.replace(at, part.size(), part);
     }
     useRipple();
     confirm(frame, QByteArray(1, char(code)));
@@ -236,6 +233,12 @@ int SimulatedBoard::loadProfileSet(int index)
     return 0;
 }
 
+int SimulatedBoard::scriptSlots() const
+{
+    return m_options.firmware < kLater ? 5 : 10;
+}
+
+// Only one runs: it takes the place of the one before.
 void SimulatedBoard::runScript(int slot, bool isDebugged, int version)
 {
     m_script = {slot, isDebugged, m_now + kLineTime, 0, version};
@@ -269,7 +272,8 @@ void SimulatedBoard::bootCalibrations()
     }
 }
 
-// What is compiled nobody outside can read, so it runs from the first to the last byte and does nothing.
+// What is compiled nobody outside can read, so it runs from the first to the last byte and does nothing. What
+// is taken away under it ends it with the code of a file that is not there.
 void SimulatedBoard::updateScript()
 {
     if (m_script.slot < 0 || m_now < m_script.next)
@@ -278,7 +282,8 @@ void SimulatedBoard::updateScript()
     ++m_script.line;
     const qsizetype length = m_files.value(kScriptFile + (m_script.slot << 8)).size();
     if (m_script.isDebugged)
-        send(CommandId::ScriptDebug, ByteWriter().u16(m_script.line).u8(0).take(), m_script.version);
+        send(CommandId::ScriptDebug, ByteWriter().u16(m_script.line).u8(length > 0 ? 0 : kNotFound).take(),
+             m_script.version);
     if (m_script.line >= length)
         m_script = {};
 }
