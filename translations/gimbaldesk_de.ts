@@ -4241,8 +4241,8 @@
         <translation>das Magnetometer wiederholt dieselben Zahlen: sie sind nicht gemessen</translation>
     </message>
     <message>
-        <source>the magnetometer has seen %1 of 8 directions: turn the camera over while it is calibrated</source>
-        <translation>das Magnetometer hat %1 von 8 Richtungen gesehen: die Kamera beim Kalibrieren in alle Richtungen drehen</translation>
+        <source>the magnetometer has seen %1 of 26 directions: turn the camera over while it is calibrated</source>
+        <translation>das Magnetometer hat %1 von 26 Richtungen gesehen: die Kamera beim Kalibrieren in alle Richtungen drehen</translation>
     </message>
     <message>
         <source>the heading is off by %1°, and was off by %2° before</source>
@@ -4265,8 +4265,8 @@
         <translation>es hatte begonnen, und das Gespeicherte hat sich geändert</translation>
     </message>
     <message>
-        <source>%1 of 8 directions were seen</source>
-        <translation>%1 von 8 Richtungen wurden gesehen</translation>
+        <source>%1 of 26 directions were seen</source>
+        <translation>%1 von 26 Richtungen wurden gesehen</translation>
     </message>
     <message>
         <source>no stream %1</source>
@@ -5770,8 +5770,8 @@
         <translation>Neigen Sie den Rahmen von Hand nach allen Seiten</translation>
     </message>
     <message>
-        <source>Turn the camera in all directions: %1 of 8 are seen</source>
-        <translation>Drehen Sie die Kamera in alle Richtungen: %1 von 8 sind gesehen</translation>
+        <source>Turn the camera in all directions: %1 of 26 are seen</source>
+        <translation>Drehen Sie die Kamera in alle Richtungen: %1 von 26 sind gesehen</translation>
     </message>
     <message>
         <source>Take your hands off the camera, keep them beneath it, and tip it lightly</source>
