@@ -21,7 +21,7 @@ Vector3 meanOf(std::span<const Vector3> points)
 }
 
 // Standard deviations along the three directions in which the points lie apart, narrowest first.
-Eigen::Vector3d spreadOf(std::span<const Vector3> points, const Vector3 &mean)
+Eigen::Vector3d deviationsOf(std::span<const Vector3> points, const Vector3 &mean)
 {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     for (const Vector3 &point : points) {
@@ -40,7 +40,7 @@ std::optional<FieldSphere> fitFieldSphere(std::span<const Vector3> points)
     if (points.size() < kFewestPoints)
         return {};
     const Vector3 mean = meanOf(points);
-    const Eigen::Vector3d spread = spreadOf(points, mean);
+    const Eigen::Vector3d spread = deviationsOf(points, mean);
     if (spread[2] < kAtRest * mean.norm() || spread[0] < kFlattest * spread[2] || spread[2] <= 0)
         return {};
     // |p|² = 2 p·c + (r² - |c|²), about the mean and in units of the spread.

@@ -382,7 +382,7 @@ constexpr MessageSpec kMessages[] = {
     {56, "AHRS_HELPER", kAhrsAsk, kAhrs, kFrame, kMoves, 0, 2, true, "Monitor, Actions (attitude, feed)"},
     {57, "RUN_SCRIPT", kRunScript, kNo, kConfirm, kMoves, 0, 34, true, "Actions (script)"},
     {58, "SCRIPT_DEBUG", kNo, kScriptDebug, kNothing, kSafe, 0, -1, true, "Actions (script.follow)"},
-    {59, "CALIB_MAG", kCalibration, kNo, kConfirm, kWrites, 0, 0, true, "Actions (calibrate.magnetometer)"},
+    {59, "CALIB_MAG", kCalibration, kNo, kConfirm, kWrites, 0, 0, true, "Calibration, Actions (calibrate.magnetometer)"},
     hidden(60, "UART_BYPASS"),
     {61, "GET_ANGLES_EXT", kNone, kAnglesExt, kFrame, kSafe, 0, 0, true, "Actions (angles)"},
     {62, "READ_PARAMS_EXT2", kProfile, kBlock, kFrame, kSafe, 0, 1, true, "Parameters"},

@@ -3,10 +3,12 @@
 #include "app/families/simplebgc/calibrationpage.h"
 
 #include "app/families/simplebgc/copycard.h"
+#include "app/families/simplebgc/magnetometercard.h"
 #include "app/workspace/question.h"
 #include "app/workspace/wizardparts.h"
 #include "protocol/base/linkloss.h"
 #include "protocol/client/whendone.h"
+#include "protocol/simplebgc/telemetrytables.h"
 #include "widgets/forms/keyboard.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/plot/spanstatistics.h"
@@ -52,6 +54,7 @@ QString rating(double value, double good, double fair)
 CalibrationPage::CalibrationPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"calibration"_s, tr("Calibration"), parent)
     , m_stack(new QStackedWidget)
+    , m_magnetometer(new MagnetometerCard(workspace))
     , m_what(new QLabel)
     , m_sees(new QLabel)
     , m_result(new QLabel)
@@ -66,6 +69,11 @@ CalibrationPage::CalibrationPage(Workspace &workspace, QWidget *parent)
 {
     m_stack->addWidget(makeChooser());
     m_stack->addWidget(makeWizard());
+    m_stack->addWidget(m_magnetometer);
+    m_hands->add(u"hand"_s, tr("How the simulated camera is turned"),
+                 {{tr("not turned, unless the page asks for it"), 0},
+                  {tr("turned to all sides"), 5},
+                  {tr("turned about its upright axis only"), 6}});
     auto *row = new QHBoxLayout;
     row->setSpacing(12);
     row->addWidget(m_stack, 1);
@@ -85,10 +93,12 @@ CalibrationPage::CalibrationPage(Workspace &workspace, QWidget *parent)
             m_progress->setValue(progress.done);
     });
     connect(&workspace.client(), &DeviceClient::stateChanged, this, [this] {
-        if (!this->workspace().client().isConnected() && isUnderWay())
+        const bool isMeasured = m_step == Step::Place || m_step == Step::Measure;
+        if (!this->workspace().client().isConnected() && isMeasured)
             breakOff();
         updateButtons();
     });
+    connect(m_magnetometer, &MagnetometerCard::left, this, [this] { setStep(Step::Choose); });
     m_timer.setInterval(kLookPeriod);
     connect(&m_timer, &QTimer::timeout, this, &CalibrationPage::look);
     setStep(Step::Choose);
@@ -117,6 +127,7 @@ QWidget *CalibrationPage::makeChooser()
           false,
           {},
           true}});
+    column->addWidget(makeFurther());
     column->addWidget(m_copies, 1);
     const auto add
         = [&](Kind kind, const QString &title, const QString &text, const QString &button, int face) {
@@ -148,6 +159,24 @@ QWidget *CalibrationPage::makeChooser()
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFocusPolicy(Qt::NoFocus);
     return scroll;
+}
+
+QWidget *CalibrationPage::makeFurther()
+{
+    m_further = new Card(tr("Magnetometer"));
+    auto *text = new QLabel(tr(
+        "Finds what the iron beside it adds to the earth's field. Do it when the camera does not keep its "
+        "heading, and after anything made of iron was mounted. Takes about a minute, with the camera turned "
+        "in your hands to all sides."));
+    text->setWordWrap(true);
+    auto *go = new QPushButton(tr("Magnetometer…"));
+    setHarmless(*go);  // it leads to the first step
+    connect(go, &QPushButton::clicked, this, &CalibrationPage::startMagnetometer);
+    auto *row = new QHBoxLayout;
+    row->addWidget(text, 1);
+    row->addWidget(go);
+    m_further->content()->addLayout(row);
+    return m_further;
 }
 
 QWidget *CalibrationPage::makeWizard()
@@ -190,7 +219,10 @@ void CalibrationPage::showEvent(QShowEvent *event)
     Page::showEvent(event);
     workspace().telemetry().subscribe(this, [this] {
         const ChannelRoles &roles = workspace().roles();
-        return ChannelRoles::present({roles.gyro, roles.acc});
+        QList<int> channels = ChannelRoles::present({roles.gyro, roles.acc});
+        if (workspace().hasAction(u"calibrate.magnetometer"_s))
+            channels += {simplebgc::MagRoll, simplebgc::MagPitch, simplebgc::MagYaw, simplebgc::HeadingError};
+        return channels;
     });
     updateButtons();
     m_timer.start();
@@ -202,8 +234,21 @@ void CalibrationPage::hideEvent(QHideEvent *event)
     m_timer.stop();
 }
 
+void CalibrationPage::startMagnetometer()
+{
+    m_stack->setCurrentWidget(m_magnetometer);
+    m_magnetometer->begin();
+}
+
+bool CalibrationPage::isUnderWay() const
+{
+    return m_step == Step::Place || m_step == Step::Measure
+        || m_magnetometer->step() == MagnetometerCard::Step::Turning;
+}
+
 void CalibrationPage::updateButtons()
 {
+    m_further->setVisible(workspace().hasAction(u"calibrate.magnetometer"_s));
     const bool can = !workspace().client().device() || workspace().hasAction(u"calibrate.gyro"_s);
     for (QPushButton *button : m_stack->widget(0)->findChildren<QPushButton *>()) {
         if (m_copies->isAncestorOf(button))

@@ -7,8 +7,10 @@
 
 #include <QTimer>
 
+class Card;
 class CopyCard;
 class FaceList;
+class MagnetometerCard;
 class QProgressBar;
 class QPushButton;
 class QStackedWidget;
@@ -27,14 +29,13 @@ public:
 
     void start(Kind kind);
     [[nodiscard]] Step step() const { return m_step; }
-    [[nodiscard]] bool isUnderWay() const override
-    {
-        return m_step == Step::Place || m_step == Step::Measure;
-    }
+    [[nodiscard]] bool isUnderWay() const override;
     [[nodiscard]] QPushButton *continueButton() const { return m_continue; }
     [[nodiscard]] QPushButton *cancelButton() const { return m_cancel; }
     [[nodiscard]] QPushButton *backButton() const { return m_back; }
     [[nodiscard]] CopyCard *copies() const { return m_copies; }
+    [[nodiscard]] MagnetometerCard *magnetometer() const { return m_magnetometer; }
+    void startMagnetometer();
     /// The sensor has been still for long enough and lies as it should.
     [[nodiscard]] bool isSatisfied() const { return m_satisfied; }
     /// Positions that are done.
@@ -48,6 +49,7 @@ protected:
 
 private:
     [[nodiscard]] QWidget *makeChooser();
+    [[nodiscard]] QWidget *makeFurther();
     [[nodiscard]] QWidget *makeWizard();
     void setStep(Step step);
     void look();
@@ -77,6 +79,8 @@ private:
     bool m_satisfied = false;
     QStackedWidget *m_stack;
     CopyCard *m_copies = nullptr;
+    Card *m_further = nullptr;  // what only boards with a magnetometer have
+    MagnetometerCard *m_magnetometer;
     QLabel *m_what;
     QLabel *m_sees;
     QLabel *m_result;
