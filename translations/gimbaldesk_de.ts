@@ -2104,6 +2104,34 @@
         <source>Magnetometer…</source>
         <translation>Magnetometer…</translation>
     </message>
+    <message>
+        <source>Sensor that the board shows and calibrates</source>
+        <translation>Sensor, den das Board zeigt und kalibriert</translation>
+    </message>
+    <message>
+        <source>Sensor: main IMU</source>
+        <translation>Sensor: Haupt-IMU</translation>
+    </message>
+    <message>
+        <source>Sensor: frame IMU</source>
+        <translation>Sensor: Rahmen-IMU</translation>
+    </message>
+    <message>
+        <source>The board shows another sensor now. The calibration begins anew.</source>
+        <translation>Das Board zeigt jetzt einen anderen Sensor. Die Kalibrierung beginnt von vorn.</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>frame IMU</source>
+        <translation>Rahmen-IMU</translation>
+    </message>
+    <message>
+        <source>main IMU</source>
+        <translation>Haupt-IMU</translation>
+    </message>
 </context>
 <context>
     <name>CameraPage</name>
@@ -4935,6 +4963,10 @@
     <message>
         <source>the board still counts %1 starts</source>
         <translation>das Board zählt noch immer %1 Starts</translation>
+    </message>
+    <message>
+        <source>the board shows the sensor of its frame, and this step is about the camera&apos;s: select that one first</source>
+        <translation>das Board zeigt den Sensor seines Rahmens, und in diesem Schritt geht es um den der Kamera: zuerst diesen auswählen</translation>
     </message>
 </context>
 <context>
@@ -11730,6 +11762,14 @@ Spitze %2°</translation>
     <message>
         <source>weak link</source>
         <translation>schwache Verbindung</translation>
+    </message>
+    <message>
+        <source>Rates and accelerations on all pages are those of this sensor, and calibrations are about it, until another one is selected or the board restarts.</source>
+        <translation>Drehraten und Beschleunigungen auf allen Seiten sind die dieses Sensors, und Kalibrierungen gelten ihm, bis ein anderer ausgewählt wird oder das Board neu startet.</translation>
+    </message>
+    <message>
+        <source>sensor shown: %1</source>
+        <translation>gezeigter Sensor: %1</translation>
     </message>
 </context>
 <context>

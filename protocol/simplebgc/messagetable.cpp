@@ -347,7 +347,7 @@ constexpr MessageSpec kMessages[] = {
     {21, "READ_PARAMS_3", kProfile, kBlock, kFrame, kSafe, 0, 1, true, "Parameters"},
     {22, "WRITE_PARAMS_3", kBlock, kNo, kConfirm, kWrites, 0, 134, true, "Parameters"},
     {23, "REALTIME_DATA_3", kNone, kRealtime3, kFrame, kSafe, 0, 0, true, "Monitor"},
-    {24, "SELECT_IMU_3", kSelectImu, kNo, kConfirm, kSafe, 0, 1, true, "Actions (imu.select)"},
+    {24, "SELECT_IMU_3", kSelectImu, kNo, kConfirm, kSafe, 0, 1, true, "Calibration, Actions (imu.select)"},
     {25, "REALTIME_DATA_4", kNone, kRealtime4, kFrame, kSafe, 0, 0, true, "Monitor"},
     {26, "ENCODERS_CALIB_OFFSET_4", kMotor, kNo, kConfirm, kWrites, kLater, 0, true, "Actions (calibrate.encoder_offset)"},
     {27, "ENCODERS_CALIB_FLD_OFFSET_4", kFieldOffset, kNo, kConfirm, kWrites, kLater, 0, true, "Actions (calibrate.encoder_field)"},

@@ -2,15 +2,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/families/simplebgc/calibrationpage.h"
 #include "app/families/simplebgc/magnetometercard.h"
+#include "app/pages/setup/guidepage.h"
+#include "protocol/guide/setupstep.h"
 #include "tests/support/named.h"
 #include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/panel.h"
 #include "widgets/views/fieldsphereview.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSignalSpy>
+#include <QTextBrowser>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -24,6 +32,8 @@ private slots:
     void boardWithoutMagnetometerOffersNone();
     void missingDirectionsAreTold();
     void magnetometerIsCalibrated();
+    void selectedSensorIsFollowed();
+    void missingSensorIsNotSelected();
 
 private:
     Workspace &workspace() { return m_rig->workspace(); }
@@ -38,6 +48,13 @@ private:
         auto *page = m_rig->page<CalibrationPage>();
         QTest::mouseClick(named<QPushButton>(page, u"Magnetometer…"_s), Qt::LeftButton);
         return page->magnetometer()->isVisible() ? page->magnetometer() : nullptr;
+    }
+    bool isTold(const QString &text)
+    {
+        const auto labels = m_rig->window().findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(), [&text](const QLabel *label) {
+            return label->isVisible() && label->text().contains(text);
+        });
     }
     /// The question that is open, or opens.
     bool answer(bool isYes)
@@ -114,6 +131,67 @@ void TestSensors::magnetometerIsCalibrated()
     QVERIFY2(told.contains(u"before"_s) && told.contains(u"Error of the heading"_s), qPrintable(told));
     QTest::mouseClick(card->goButton(), Qt::LeftButton);
     QVERIFY(!card->isVisible());
+}
+
+void TestSensors::selectedSensorIsFollowed()
+{
+    QVERIFY(m_rig->open(u"sim:simplebgc?firmware=2.70.4&frame-imu=1"_s) && m_rig->jobsAreDone());
+    workspace().setMotors(false);
+    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(false), kPatience);
+    auto *page = m_rig->page<CalibrationPage>();
+    QComboBox *box = page->sensorBox();
+    QTRY_VERIFY_WITH_TIMEOUT(box->isVisible() && box->isEnabled(), kPatience);
+    QCOMPARE(box->currentData().toInt(), 1);
+    page->start(CalibrationPage::Kind::SixPositions);
+    // Elsewhere, in the middle: what was measured is another sensor's.
+    const auto select = [this](int imu) {
+        std::ignore = workspace().perform(u"imu.select"_s, {{u"imu"_s, imu}});
+        return m_rig->jobsAreDone();
+    };
+    QVERIFY(select(2));
+    QTRY_COMPARE_WITH_TIMEOUT(box->currentData().toInt(), 2, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(isTold(u"sensor shown: frame IMU"_s), kPatience);
+    const int pitch = workspace().roles().gyro[1];
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(workspace().latest(pitch) - 1.8) < 0.6, kPatience);
+    // On every page, and a step that is about the camera is not begun.
+    auto *guide = m_rig->page<GuidePage>();
+    QVERIFY(isTold(u"sensor shown: frame IMU"_s));
+    guide->choose(SetupStep::Sensors);
+    QTRY_VERIFY_WITH_TIMEOUT(guide->beginButton()->isEnabled(), kPatience);
+    QSignalSpy problems(&workspace().notifications(), &Notifications::problem);
+    QTest::mouseClick(guide->beginButton(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(problems.count() > 0
+                                 || guide->findings()->toPlainText().contains(u"sensor of its frame"_s),
+                             kPatience);
+    // The camera's again, by the page itself.
+    page = m_rig->page<CalibrationPage>();
+    QTRY_VERIFY_WITH_TIMEOUT(box->isEnabled() || page->isUnderWay(), kPatience);
+    page->backButton()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(box->isEnabled(), kPatience);
+    box->setCurrentIndex(0);
+    emit box->activated(0);
+    QTRY_VERIFY_WITH_TIMEOUT(!isTold(u"sensor shown"_s), kPatience);
+    // A restart selects the camera's.
+    QVERIFY(select(2));
+    QTRY_VERIFY_WITH_TIMEOUT(isTold(u"sensor shown: frame IMU"_s), kPatience);
+    workspace().changeWorld(u"reset=1"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(!isTold(u"sensor shown"_s), kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(box->currentData().toInt(), 1, kPatience);
+}
+
+// The board says nothing, and goes on with its own.
+void TestSensors::missingSensorIsNotSelected()
+{
+    QVERIFY(m_rig->open(u"sim:simplebgc?firmware=2.70.4"_s) && m_rig->jobsAreDone());
+    auto *page = m_rig->page<CalibrationPage>();
+    QComboBox *box = page->sensorBox();
+    QTRY_VERIFY_WITH_TIMEOUT(box->isEnabled(), kPatience);
+    QSignalSpy problems(&workspace().notifications(), &Notifications::problem);
+    box->setCurrentIndex(1);
+    emit box->activated(1);
+    QTRY_COMPARE_WITH_TIMEOUT(problems.count(), 1, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(box->currentData().toInt(), 1, kPatience);
+    QVERIFY(!isTold(u"sensor shown"_s));
 }
 
 QTEST_MAIN(TestSensors)

@@ -189,6 +189,7 @@ constexpr const char *kDetails[] = {
     QT_TRANSLATE_NOOP("ErrorDetail", "the board holds another file"),
     QT_TRANSLATE_NOOP("ErrorDetail", "the board still has the file"),
     QT_TRANSLATE_NOOP("ErrorDetail", "no slot has a signal"),
+    QT_TRANSLATE_NOOP("ErrorDetail", "the board shows the sensor of its frame, and this step is about the camera's: select that one first"),
     QT_TRANSLATE_NOOP("ErrorDetail", "the board shows its other sensor, so nobody would see what the calibration does: imu.select imu=%1 first"),
     QT_TRANSLATE_NOOP("ErrorDetail", "the sensor does not lie level and the motors are running; six=on switches them off"),
     QT_TRANSLATE_NOOP("ErrorDetail", "%1: it was not confirmed, and motors that were off run now"),

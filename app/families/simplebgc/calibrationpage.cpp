@@ -14,6 +14,8 @@
 #include "widgets/plot/spanstatistics.h"
 #include "widgets/views/sensorcube.h"
 
+#include <QAbstractItemView>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -54,6 +56,7 @@ QString rating(double value, double good, double fair)
 CalibrationPage::CalibrationPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"calibration"_s, tr("Calibration"), parent)
     , m_stack(new QStackedWidget)
+    , m_sensor(new QComboBox)
     , m_magnetometer(new MagnetometerCard(workspace))
     , m_what(new QLabel)
     , m_sees(new QLabel)
@@ -67,6 +70,10 @@ CalibrationPage::CalibrationPage(Workspace &workspace, QWidget *parent)
     , m_cancel(new QPushButton(tr("Cancel")))
     , m_continue(new QPushButton(tr("Continue")))
 {
+    m_sensor->setAccessibleName(tr("Sensor that the board shows and calibrates"));
+    m_sensor->addItem(tr("Sensor: main IMU"), 1);
+    m_sensor->addItem(tr("Sensor: frame IMU"), 2);
+    header()->addWidget(m_sensor);
     m_stack->addWidget(makeChooser());
     m_stack->addWidget(makeWizard());
     m_stack->addWidget(m_magnetometer);
@@ -97,6 +104,10 @@ CalibrationPage::CalibrationPage(Workspace &workspace, QWidget *parent)
         if (!this->workspace().client().isConnected() && isMeasured)
             breakOff();
         updateButtons();
+    });
+    connect(m_sensor, &QComboBox::activated, this, [this] {
+        whenDone(this->workspace().perform(u"imu.select"_s, {{u"imu"_s, m_sensor->currentData()}}), this,
+                 [this](const Result<ActionOutcome> &) { followSensor(); });
     });
     connect(m_magnetometer, &MagnetometerCard::left, this, [this] { setStep(Step::Choose); });
     m_timer.setInterval(kLookPeriod);
@@ -267,6 +278,7 @@ int CalibrationPage::doneCount() const
 void CalibrationPage::start(Kind kind)
 {
     m_kind = kind;
+    m_begunWith = workspace().latest(simplebgc::CurrentImu);
     m_done = 0;
     m_quality = {};
     setStep(Step::Place);
@@ -339,8 +351,29 @@ QString CalibrationPage::waitingFor() const
     return {};
 }
 
+// Whoever has selected it, a program beside this one or a restart as well.
+void CalibrationPage::followSensor()
+{
+    const double selected = workspace().latest(simplebgc::CurrentImu);
+    if (const int at = std::isnan(selected) ? 0 : m_sensor->findData(int(selected));
+        at >= 0 && !m_sensor->view()->isVisible())
+        m_sensor->setCurrentIndex(at);
+    m_sensor->setVisible(workspace().hasAction(u"imu.select"_s));
+    m_sensor->setEnabled(workspace().client().isConnected() && !isUnderWay()
+                         && !workspace().client().isBusy());
+    if (std::isnan(m_begunWith))
+        m_begunWith = selected;
+    const bool isOther = m_step == Step::Place && !std::isnan(selected) && selected != m_begunWith;
+    if (!isOther)
+        return;
+    workspace().notifications().notify(tr("The board shows another sensor now. The calibration begins anew."),
+                                       Notice::Attention);
+    start(m_kind);
+}
+
 void CalibrationPage::look()
 {
+    followSensor();
     if (m_step != Step::Place)
         return;
     const auto store = workspace().client().telemetry();
@@ -463,6 +496,7 @@ void CalibrationPage::showResult()
                 "<td style='padding:2px 0' align='right'>%2</td></tr>"_s.arg(name.toHtmlEscaped(),
                                                                              value.toHtmlEscaped());
     };
+    row(tr("Sensor"), m_begunWith == 2 ? tr("frame IMU") : tr("main IMU"));
     if (gyro) {
         row(tr("Drift before"), tr("%1 °/s").arg(numberText(m_quality.biasBefore, 2)));
         row(tr("Drift now"), tr("%1 °/s").arg(numberText(m_quality.biasAfter, 2)));

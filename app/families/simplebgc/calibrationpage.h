@@ -11,6 +11,7 @@ class Card;
 class CopyCard;
 class FaceList;
 class MagnetometerCard;
+class QComboBox;
 class QProgressBar;
 class QPushButton;
 class QStackedWidget;
@@ -34,6 +35,7 @@ public:
     [[nodiscard]] QPushButton *cancelButton() const { return m_cancel; }
     [[nodiscard]] QPushButton *backButton() const { return m_back; }
     [[nodiscard]] CopyCard *copies() const { return m_copies; }
+    [[nodiscard]] QComboBox *sensorBox() const { return m_sensor; }
     [[nodiscard]] MagnetometerCard *magnetometer() const { return m_magnetometer; }
     void startMagnetometer();
     /// The sensor has been still for long enough and lies as it should.
@@ -52,6 +54,7 @@ private:
     [[nodiscard]] QWidget *makeFurther();
     [[nodiscard]] QWidget *makeWizard();
     void setStep(Step step);
+    void followSensor();
     void look();
     void measure();
     void onMeasured(const Result<ActionOutcome> &outcome);
@@ -79,6 +82,8 @@ private:
     bool m_satisfied = false;
     QStackedWidget *m_stack;
     CopyCard *m_copies = nullptr;
+    QComboBox *m_sensor;  // which one the board shows and calibrates
+    double m_begunWith = 0;  // that one, when the wizard began
     Card *m_further = nullptr;  // what only boards with a magnetometer have
     MagnetometerCard *m_magnetometer;
     QLabel *m_what;
