@@ -341,6 +341,7 @@ StatusStrip::StatusStrip(Workspace &workspace, QWidget *parent)
     , m_battery(new QLabel)
     , m_temperature(new QLabel)
     , m_faults(new QLabel)
+    , m_sensor(new QLabel)
     , m_hint(new QLabel)
 {
     setObjectName(u"statusBar"_s);
@@ -351,6 +352,11 @@ StatusStrip::StatusStrip(Workspace &workspace, QWidget *parent)
         label->setTextFormat(Qt::RichText);
         layout->addWidget(label);
     }
+    m_sensor->setObjectName(u"warning"_s);
+    m_sensor->setToolTip(
+        tr("Rates and accelerations on all pages are those of this sensor, and calibrations are "
+           "about it, until another one is selected or the board restarts."));
+    layout->addWidget(m_sensor);
     layout->addStretch(1);
     m_hint->setObjectName(u"warning"_s);
     layout->addWidget(m_hint);
@@ -366,6 +372,25 @@ void StatusStrip::follow(const MotorsKeys &keys)
     connect(&keys, &MotorsKeys::holdStarted, this,
             [this] { m_hint->setText(tr("Hold Esc to stop the motors.")); });
     connect(&keys, &MotorsKeys::holdEnded, m_hint, &QLabel::clear);
+}
+
+// Where it is another one than the camera's, whoever has selected it.
+void StatusStrip::tellSensor()
+{
+    m_sensor->clear();
+    const Device *device = m_workspace.client().device();
+    if (!device || !m_workspace.client().isConnected())
+        return;
+    const auto channels = device->channels();
+    const int role = findRole(channels, m_workspace.client().identity().capabilities, "sensor");
+    if (role < 0)
+        return;
+    const auto choices = channels[std::size_t(role)].choices;
+    const double shown = m_workspace.latest(role);
+    const auto name
+        = std::ranges::find_if(choices, [shown](const Choice &choice) { return choice.value == shown; });
+    if (name != choices.begin() && name != choices.end())
+        m_sensor->setText(tr("sensor shown: %1").arg(tableText(name->name)));
 }
 
 // Of both ends, where the board answers heartbeats; the time of the newest answer otherwise.
@@ -417,6 +442,7 @@ void StatusStrip::resizeEvent(QResizeEvent *event)
 
 void StatusStrip::refresh()
 {
+    tellSensor();
     tell();
     giveWay();
 }

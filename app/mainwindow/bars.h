@@ -107,6 +107,7 @@ private:
     void giveWay();
     [[nodiscard]] QString qualityText(const LinkStatistics &link) const;
     [[nodiscard]] QString weaknessText(const LinkStatistics &link) const;
+    void tellSensor();
 
     Workspace &m_workspace;
     quint64 m_lastBad = 0;  // lost samples and damaged frames when they last changed
@@ -116,5 +117,6 @@ private:
     QLabel *m_battery;
     QLabel *m_temperature;
     QLabel *m_faults;
+    QLabel *m_sensor;
     QLabel *m_hint;
 };

@@ -44,6 +44,24 @@ constexpr double kSwingSeconds = 4;
 constexpr double kBalanced = 8;  // degrees: a light push moves it by some
 constexpr double kStirred = 7;  // deg/s from least to most: less is a camera that was never let go
 
+bool needsCamera(SetupStep step)
+{
+    return step != SetupStep::Power && step != SetupStep::Remote && step != SetupStep::Use;
+}
+
+// What another sensor measures would be taken for the camera's.
+Result<void> isCameraShown(const Device &device, const TelemetryStore &telemetry)
+{
+    constexpr float kCamera = 1;
+    const int sensor = findRole(device.channels(), device.identity().capabilities, "sensor");
+    if (sensor < 0 || std::isnan(telemetry.latest(sensor)) || telemetry.latest(sensor) == kCamera)
+        return {};
+    return failure(
+        ErrorCode::ConditionUnmet,
+        u"the board shows the sensor of its frame, and this step is about the camera's: select that one "
+        "first"_s);
+}
+
 }  // namespace
 
 SetupGuide::SetupGuide(Channel &channel, Device &device, const TelemetryStore &telemetry,
@@ -86,6 +104,8 @@ Result<SetupResult> SetupGuide::run(SetupStep step, const QVariantMap &answers, 
         return failure(ErrorCode::Unsupported, u"this board lacks something for that step"_s);
     if (!m_device.identity().writable)
         return failure(ErrorCode::ReadOnly);
+    if (const auto shown = needsCamera(step) ? isCameraShown(m_device, m_telemetry) : Result<void>(); !shown)
+        return tl::unexpected(shown.error());
     Result<SetupResult> result = failure(ErrorCode::Unsupported);
     switch (step) {
     case SetupStep::Power: result = power(answers); break;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/base/vector3.h"
 #include "protocol/configuration/memoryimage.h"
 #include "protocol/simplebgc/device.h"
 #include "protocol/simplebgc/parametertables.h"
@@ -186,21 +187,9 @@ private:
     Result<std::array<double, kAxisCount>> motorAngles();
     /// Whether the board is in this mode of calibration; nothing where it does not tell.
     Result<std::optional<bool>> isCalibrating(int mode);
-    /// What a magnetometer tells while it is turned.
-    struct MagSamples
-    {
-        std::vector<std::array<double, 3>> counts;
-        /// The middle between the extremes, and how far they are apart.
-        [[nodiscard]] std::array<double, 3> middle() const;
-        [[nodiscard]] std::array<double, 3> spread() const;
-        /// How many of eight directions were seen from the middle: none where all of it may be noise, as it
-        /// was with a camera at rest.
-        [[nodiscard]] int directions(const MagSamples &atRest) const;
-        [[nodiscard]] double strength() const;
-    };
     /// The newest error of the heading, in degrees, after a sample was added.
-    Result<double> sampleMagnetometer(MagSamples &samples);
-    Result<double> headingError(MagSamples &samples);
+    Result<double> sampleMagnetometer(std::vector<Vector3> &samples);
+    Result<double> headingError(std::vector<Vector3> &samples);
     Result<QByteArray> externalData();
     /// Registers of a device on a bus; asked once. Errors: Timeout or BoardError where nobody is there, those
     /// of the link.

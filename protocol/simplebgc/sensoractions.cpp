@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Calibrations that a board makes by itself: of its motors and their encoders, of the flight controller's
 // signal and of the magnetometer (errata 3.19). Its confirmations tell little, so what it holds is compared.
+#include "protocol/analysis/fieldsphere.h"
 #include "protocol/base/linkloss.h"
 #include "protocol/session/channel.h"
 #include "protocol/simplebgc/actions.h"
@@ -43,16 +44,8 @@ constexpr int kMagMode = 12;
 constexpr int kHeadingSamples = 10;
 constexpr auto kBetweenMagSamples = 100ms;
 constexpr auto kMagSettles = 3s;
-constexpr double kClearOfNoise = 8;
-constexpr int kEnoughDirections = 6;
+constexpr std::size_t kEnoughDirections = 18;  // of kFieldDirections
 constexpr double kWrongHeading = 5;  // degrees
-
-std::pair<double, double> extremes(const std::vector<std::array<double, 3>> &counts, std::size_t axis)
-{
-    const auto [low, high] = std::minmax_element(
-        counts.begin(), counts.end(), [axis](const auto &a, const auto &b) { return a[axis] < b[axis]; });
-    return {(*low)[axis], (*high)[axis]};
-}
 
 // Whoever leaves, the board does not notice.
 Error brokenOff(Error error)
@@ -343,71 +336,26 @@ Result<ActionReply> Actions::calibrateFcGain(const QVariantMap &)
     return calibrateProven(calibration);
 }
 
-std::array<double, 3> Actions::MagSamples::middle() const
-{
-    std::array<double, 3> middle{};
-    for (std::size_t i = 0; i < middle.size() && !counts.empty(); ++i) {
-        const auto [low, high] = extremes(counts, i);
-        middle[i] = (low + high) / 2;
-    }
-    return middle;
-}
-
-std::array<double, 3> Actions::MagSamples::spread() const
-{
-    std::array<double, 3> spread{};
-    for (std::size_t i = 0; i < spread.size() && !counts.empty(); ++i) {
-        const auto [low, high] = extremes(counts, i);
-        spread[i] = high - low;
-    }
-    return spread;
-}
-
-int Actions::MagSamples::directions(const MagSamples &atRest) const
-{
-    const auto zero = middle();
-    const auto seenTurning = spread();
-    const auto noise = atRest.spread();
-    for (std::size_t i = 0; i < zero.size(); ++i) {
-        if (seenTurning[i] < kClearOfNoise * std::max(1.0, noise[i]))
-            return 0;
-    }
-    std::array<bool, 8> seen{};
-    for (const auto &sample : counts)
-        seen[std::size_t((sample[0] > zero[0]) | (sample[1] > zero[1]) << 1 | (sample[2] > zero[2]) << 2)]
-            = true;
-    return int(std::count(seen.begin(), seen.end(), true));
-}
-
-double Actions::MagSamples::strength() const
-{
-    const auto zero = middle();
-    double sum = 0;
-    for (const auto &sample : counts)
-        sum += std::hypot(sample[0] - zero[0], sample[1] - zero[1], sample[2] - zero[2]);
-    return counts.empty() ? 0 : sum / double(counts.size());
-}
-
-Result<double> Actions::sampleMagnetometer(MagSamples &samples)
+Result<double> Actions::sampleMagnetometer(std::vector<Vector3> &samples)
 {
     const auto status = fullStatus();
     if (!status)
         return tl::unexpected(status.error());
     ByteReader reader(status->payload);
     reader.skip(kMagOffset);
-    std::array<double, 3> counts{};
-    for (double &each : counts)
-        each = reader.i16();
+    Vector3 counts;
+    for (std::size_t i = 0; i < kAxisCount; ++i)
+        counts[i] = reader.i16();
     reader.skip(kHeadingErrorOffset - kMagOffset - 6);
     const double error = reader.u8() * 0.1;
     if (!reader.ok())
         return failure(ErrorCode::BadReply, u"REALTIME_DATA_4"_s);
-    samples.counts.push_back(counts);
+    samples.push_back(counts);
     return error;
 }
 
 // Errors: NoSamples where the same numbers come again and again, those of the link.
-Result<double> Actions::headingError(MagSamples &samples)
+Result<double> Actions::headingError(std::vector<Vector3> &samples)
 {
     double sum = 0;
     for (int i = 0; i < kHeadingSamples; ++i) {
@@ -418,8 +366,8 @@ Result<double> Actions::headingError(MagSamples &samples)
         if (const auto slept = m_channel.sleep(kBetweenMagSamples); !slept)
             return tl::unexpected(slept.error());
     }
-    if (std::all_of(samples.counts.begin(), samples.counts.end(),
-                    [&](const auto &sample) { return sample == samples.counts.front(); }))
+    if (std::all_of(samples.begin(), samples.end(),
+                    [&](const Vector3 &sample) { return sample == samples.front(); }))
         return failure(ErrorCode::NoSamples,
                        u"the magnetometer repeats the same figures: they are not measured"_s);
     return sum / kHeadingSamples;
@@ -431,7 +379,7 @@ Result<ActionReply> Actions::calibrateMagnetometer(const QVariantMap &)
 {
     if (const auto sees = needSensor(); !sees)
         return tl::unexpected(sees.error());
-    MagSamples still;
+    std::vector<Vector3> still;
     const auto before = headingError(still);
     if (!before)
         return tl::unexpected(before.error());
@@ -443,30 +391,35 @@ Result<ActionReply> Actions::calibrateMagnetometer(const QVariantMap &)
     Progress progress;
     progress.step = u"calibrate-magnetometer"_s;
     progress.subject = commandName(number(calibration.id));
-    progress.total = 8;
-    MagSamples turned;
+    progress.total = int(kFieldDirections);
+    std::vector<Vector3> turned;
+    const auto seen = [&turned] {
+        const auto sphere = fitFieldSphere(turned);
+        return sphere ? directionsSeen(turned, *sphere).count() : 0;
+    };
     auto run = watchCalibration(calibration, [&](Duration) -> Result<void> {
         const auto sample = sampleMagnetometer(turned);
         if (!sample && sample.error().code != ErrorCode::Timeout)
             return tl::unexpected(sample.error());
-        progress.done = std::max(progress.done, turned.directions(still));  // the middle moves
+        progress.done = std::max(progress.done, int(seen()));  // the middle moves
         m_channel.progress(progress);
         return {};
     });
     if (!run)
         return tl::unexpected(run.error());
     if (run->refusal && run->hasBegun)
-        addDetail(run->refusal->detail, u"%1 of 8 directions were seen"_s.arg(turned.directions(still)));
+        addDetail(run->refusal->detail, u"%1 of 26 directions were seen"_s.arg(seen()));
     if (run->refusal)
         return tl::unexpected(*run->refusal);
     if (!run->isOver)
         return failure(ErrorCode::Timeout,
                        u"%1: the end was not confirmed"_s.arg(commandName(number(calibration.id))));
-    if (const int directions = turned.directions(still); directions < kEnoughDirections)
+    const auto sphere = fitFieldSphere(turned);
+    if (!sphere || seen() < kEnoughDirections)
         return failure(
             ErrorCode::ConditionUnmet,
-            u"the magnetometer has seen %1 of 8 directions: turn the camera over while it is calibrated"_s
-                .arg(directions));
+            u"the magnetometer has seen %1 of 26 directions: turn the camera over while it is calibrated"_s
+                .arg(seen()));
     // The board finds its heading again.
     if (const auto slept = m_channel.sleep(kMagSettles); !slept)
         return tl::unexpected(slept.error());
@@ -477,11 +430,14 @@ Result<ActionReply> Actions::calibrateMagnetometer(const QVariantMap &)
         return failure(ErrorCode::NoEffect,
                        u"the heading is off by %1°, and was off by %2° before"_s.arg(*after, 0, 'f', 1)
                            .arg(*before, 0, 'f', 1));
-    return ActionReply{{u"confirmed"_s, run->isConfirmed},
-                       {u"directions"_s, turned.directions(still)},
-                       {u"field"_s, std::round(turned.strength())},
-                       {u"heading.error.before"_s, *before},
-                       {u"heading.error.after"_s, *after}};
+    ActionReply reply{{u"confirmed"_s, run->isConfirmed},       {u"directions"_s, int(seen())},
+                      {u"field"_s, std::round(sphere->radius)}, {u"roughness"_s, 100 * sphere->roughness},
+                      {u"heading.error.before"_s, *before},     {u"heading.error.after"_s, *after}};
+    for (std::size_t i = 0; i < kAxisCount; ++i)
+        reply.insert(u"shift."_s + u"xyz"[i], std::round(sphere->centre[i]));
+    if (const auto stretch = fieldStretch(turned))
+        reply.insert(u"stretch"_s, *stretch);
+    return reply;
 }
 
 }  // namespace simplebgc

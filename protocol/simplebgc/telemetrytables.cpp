@@ -68,7 +68,7 @@ constexpr ChannelSpec kChannels[] = {
     {"system.error", "System error bits", "Board", "", 0, Axis::None, 0, 4095, "faults", "", 1, kFaultNames, true},
     {"system.sub_error", "Emergency stop cause", "Board", "", 0, Axis::None, 0, 60, "fault_detail", "", 1, kStopCauses},
     {"motors.on", "Motors running", "Board", "", 0, Axis::None, 0, 1, "outputs", "", 1, kOffOn},
-    {"imu.selected", "Selected IMU", "Board", "", 0, Axis::None, 1, 2, "", "", 1, kImuNames},
+    {"imu.selected", "Selected IMU", "Board", "", 0, Axis::None, 1, 2, "sensor", "", 1, kImuNames},
     {"profile.active", "Active profile", "Board", "", 0, Axis::None, 0, 4, "profile", "", 1, kActiveProfiles},
     {"z1.x", "Gravity vector, x", "Attitude vectors", "", 4, Axis::None, -1, 1},
     {"z1.y", "Gravity vector, y", "Attitude vectors", "", 4, Axis::None, -1, 1},

@@ -23,8 +23,9 @@
 ///   cpu.load, cpu.temperature, loops        of its processor; rounds of its control loop per second
 ///   rx.quality, rx.level                    how it receives this computer: %, dBm
 ///   armed, calibrated, outputs              three different things: ready to fly, level known, motors driven
-///   calibrating                             it measures its sensors right now
-///   faults, fault_detail, profile, state    see the device's FaultWords and StatusWords
+///   sensor                                  whose rates and accelerations it tells: 1 the camera's, or
+///   another calibrating                             it measures its sensors right now faults, fault_detail,
+///   profile, state    see the device's FaultWords and StatusWords
 class ChannelRoles
 {
 public:

@@ -479,7 +479,7 @@ void TestModels::everyProgressHasWords()
              u"The configuration text is written; waiting for the drone to restart"_s);
     QCOMPARE(said("await-restart", u"PARAMS_3"_s),
              u"PARAMS_3 is written; waiting for the board to restart"_s);
-    QCOMPARE(said("calibrate-magnetometer", {}, 3), u"Turn the camera in all directions: 3 of 8 are seen"_s);
+    QCOMPARE(said("calibrate-magnetometer", {}, 3), u"Turn the camera in all directions: 3 of 26 are seen"_s);
     QCOMPARE(said("autotune", u"PARAMS_3"_s, 4), u"Auto-tune, iteration 4"_s);
     QCOMPARE(said("script", u"2"_s), u"Script 2 runs: command 7"_s);
     QCOMPARE(said("steer", u"PARAMS_3"_s), u"Steering"_s);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/analysis/accelerometer.h"
+#include "protocol/analysis/fieldsphere.h"
 #include "protocol/analysis/filterresponse.h"
 #include "protocol/analysis/frequencyresponse.h"
 #include "protocol/analysis/holdingquality.h"
@@ -79,6 +80,8 @@ class TestAnalysis : public QObject
 private slots:
     void gainsAsSliders();
     void accelerometerIsCalibrated();
+    void sphereOfAFieldIsFound();
+    void whatIsNoSphereIsTold();
     void toneHasItsFrequencyAndAmplitude_data();
     void toneHasItsFrequencyAndAmplitude();
     void whiteNoiseIsFlatAndKeepsItsPower();
@@ -824,6 +827,59 @@ void TestAnalysis::accelerometerIsCalibrated()
          {AccCalibration{{3600, 0, 0}, {8192, 8192, 8192}}, AccCalibration{{0, 0, 0}, {7400, 8192, 8192}}})
         QVERIFY(!isPlausible(bad, kOne));
     QVERIFY(isPlausible({{6900, 0, 0}, {17400, 16384, 15100}}, 16384));
+}
+
+// To all sides, about a centre, with half axes of their own and noise.
+static std::vector<Vector3> turned(const Vector3 &centre, const Vector3 &halves, double noise)
+{
+    std::mt19937 generator(7);
+    std::normal_distribution<double> normal(0.0, 1.0);
+    std::vector<Vector3> points(300);
+    for (Vector3 &point : points) {
+        Vector3 way{normal(generator), normal(generator), normal(generator)};
+        way = way / way.norm();
+        for (std::size_t i = 0; i < 3; ++i)
+            point[i] = centre[i] + halves[i] * way[i] + noise * normal(generator);
+    }
+    return points;
+}
+
+void TestAnalysis::sphereOfAFieldIsFound()
+{
+    const Vector3 centre{900, -60, 110};  // more than its radius away
+    const auto points = turned(centre, {400, 400, 400}, 4);
+    const auto sphere = fitFieldSphere(points);
+    QVERIFY(sphere);
+    QVERIFY2((sphere->centre - centre).norm() < 2, qPrintable(QString::number(sphere->centre.x)));
+    QVERIFY(near(sphere->radius, 400, 1));
+    QVERIFY(near(sphere->roughness, 0.01, 0.002));
+    QVERIFY(near(fieldStretch(points).value_or(0), 1, 0.02));
+    QCOMPARE(directionsSeen(points, *sphere).count(), kFieldDirections);
+    const auto bent = turned(centre, {440, 400, 360}, 1);
+    QVERIFY(near(fieldStretch(bent).value_or(0), 440.0 / 360, 0.02));
+    QVERIFY(fitFieldSphere(bent)->roughness > 0.04);
+    // One half of it shows where it is, and which directions are missing.
+    std::vector<Vector3> half;
+    std::copy_if(points.begin(), points.end(), std::back_inserter(half),
+                 [&centre](const Vector3 &point) { return point.z > centre.z; });
+    const auto upper = fitFieldSphere(half);
+    QVERIFY(upper && (upper->centre - centre).norm() < 10);
+    const SeenDirections seen = directionsSeen(half, *upper);
+    for (std::size_t i = 0; i < kFieldDirections; ++i) {
+        if (std::abs(fieldDirections()[i].z) > 0.1)
+            QCOMPARE(seen[i], fieldDirections()[i].z > 0);
+    }
+}
+
+void TestAnalysis::whatIsNoSphereIsTold()
+{
+    const Vector3 centre{90, -60, 110};
+    QVERIFY(!fitFieldSphere(turned({300, 200, 100}, {}, 2)));  // at rest
+    QVERIFY(!fitFieldSphere(turned(centre, {400, 400, 0}, 2)));  // in a plane
+    QVERIFY(!fieldStretch(turned(centre, {400, 400, 0}, 2)));
+    const auto few = turned(centre, {400, 400, 400}, 2);
+    QVERIFY(!fitFieldSphere(std::span(few).first(8)));
+    QVERIFY(!fitFieldSphere(std::vector<Vector3>(100)));  // no sensor: nothing but zeros
 }
 
 QTEST_GUILESS_MAIN(TestAnalysis)

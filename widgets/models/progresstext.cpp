@@ -79,7 +79,7 @@ constexpr StepWords kStepWords[] = {
     {"calibrate-motors", QT_TRANSLATE_NOOP("ErrorText", "The board turns the motors and measures them")},
     {"calibrate-encoders", QT_TRANSLATE_NOOP("ErrorText", "The board reads its encoders: leave the camera as it stands")},
     {"calibrate-frame", QT_TRANSLATE_NOOP("ErrorText", "Tilt the frame by hand to all sides")},
-    {"calibrate-magnetometer", QT_TRANSLATE_NOOP("ErrorText", "Turn the camera in all directions: %1 of 8 are seen"), true},
+    {"calibrate-magnetometer", QT_TRANSLATE_NOOP("ErrorText", "Turn the camera in all directions: %1 of 26 are seen"), true},
     {"read-memory", QT_TRANSLATE_NOOP("ErrorText", "Reading the board's memory")},
     {"write-memory", QT_TRANSLATE_NOOP("ErrorText", "Writing the board's memory")},
     {"read-files", QT_TRANSLATE_NOOP("ErrorText", "Searching the board's files")},

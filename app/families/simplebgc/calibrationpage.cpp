@@ -3,15 +3,19 @@
 #include "app/families/simplebgc/calibrationpage.h"
 
 #include "app/families/simplebgc/copycard.h"
+#include "app/families/simplebgc/magnetometercard.h"
 #include "app/workspace/question.h"
 #include "app/workspace/wizardparts.h"
 #include "protocol/base/linkloss.h"
 #include "protocol/client/whendone.h"
+#include "protocol/simplebgc/telemetrytables.h"
 #include "widgets/forms/keyboard.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/plot/spanstatistics.h"
 #include "widgets/views/sensorcube.h"
 
+#include <QAbstractItemView>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -52,6 +56,8 @@ QString rating(double value, double good, double fair)
 CalibrationPage::CalibrationPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"calibration"_s, tr("Calibration"), parent)
     , m_stack(new QStackedWidget)
+    , m_sensor(new QComboBox)
+    , m_magnetometer(new MagnetometerCard(workspace))
     , m_what(new QLabel)
     , m_sees(new QLabel)
     , m_result(new QLabel)
@@ -64,8 +70,17 @@ CalibrationPage::CalibrationPage(Workspace &workspace, QWidget *parent)
     , m_cancel(new QPushButton(tr("Cancel")))
     , m_continue(new QPushButton(tr("Continue")))
 {
+    m_sensor->setAccessibleName(tr("Sensor that the board shows and calibrates"));
+    m_sensor->addItem(tr("Sensor: main IMU"), 1);
+    m_sensor->addItem(tr("Sensor: frame IMU"), 2);
+    header()->addWidget(m_sensor);
     m_stack->addWidget(makeChooser());
     m_stack->addWidget(makeWizard());
+    m_stack->addWidget(m_magnetometer);
+    m_hands->add(u"hand"_s, tr("How the simulated camera is turned"),
+                 {{tr("not turned, unless the page asks for it"), 0},
+                  {tr("turned to all sides"), 5},
+                  {tr("turned about its upright axis only"), 6}});
     auto *row = new QHBoxLayout;
     row->setSpacing(12);
     row->addWidget(m_stack, 1);
@@ -85,10 +100,16 @@ CalibrationPage::CalibrationPage(Workspace &workspace, QWidget *parent)
             m_progress->setValue(progress.done);
     });
     connect(&workspace.client(), &DeviceClient::stateChanged, this, [this] {
-        if (!this->workspace().client().isConnected() && isUnderWay())
+        const bool isMeasured = m_step == Step::Place || m_step == Step::Measure;
+        if (!this->workspace().client().isConnected() && isMeasured)
             breakOff();
         updateButtons();
     });
+    connect(m_sensor, &QComboBox::activated, this, [this] {
+        whenDone(this->workspace().perform(u"imu.select"_s, {{u"imu"_s, m_sensor->currentData()}}), this,
+                 [this](const Result<ActionOutcome> &) { followSensor(); });
+    });
+    connect(m_magnetometer, &MagnetometerCard::left, this, [this] { setStep(Step::Choose); });
     m_timer.setInterval(kLookPeriod);
     connect(&m_timer, &QTimer::timeout, this, &CalibrationPage::look);
     setStep(Step::Choose);
@@ -117,6 +138,7 @@ QWidget *CalibrationPage::makeChooser()
           false,
           {},
           true}});
+    column->addWidget(makeFurther());
     column->addWidget(m_copies, 1);
     const auto add
         = [&](Kind kind, const QString &title, const QString &text, const QString &button, int face) {
@@ -148,6 +170,24 @@ QWidget *CalibrationPage::makeChooser()
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFocusPolicy(Qt::NoFocus);
     return scroll;
+}
+
+QWidget *CalibrationPage::makeFurther()
+{
+    m_further = new Card(tr("Magnetometer"));
+    auto *text = new QLabel(tr(
+        "Finds what the iron beside it adds to the earth's field. Do it when the camera does not keep its "
+        "heading, and after anything made of iron was mounted. Takes about a minute, with the camera turned "
+        "in your hands to all sides."));
+    text->setWordWrap(true);
+    auto *go = new QPushButton(tr("Magnetometer…"));
+    setHarmless(*go);  // it leads to the first step
+    connect(go, &QPushButton::clicked, this, &CalibrationPage::startMagnetometer);
+    auto *row = new QHBoxLayout;
+    row->addWidget(text, 1);
+    row->addWidget(go);
+    m_further->content()->addLayout(row);
+    return m_further;
 }
 
 QWidget *CalibrationPage::makeWizard()
@@ -190,7 +230,10 @@ void CalibrationPage::showEvent(QShowEvent *event)
     Page::showEvent(event);
     workspace().telemetry().subscribe(this, [this] {
         const ChannelRoles &roles = workspace().roles();
-        return ChannelRoles::present({roles.gyro, roles.acc});
+        QList<int> channels = ChannelRoles::present({roles.gyro, roles.acc});
+        if (workspace().hasAction(u"calibrate.magnetometer"_s))
+            channels += {simplebgc::MagRoll, simplebgc::MagPitch, simplebgc::MagYaw, simplebgc::HeadingError};
+        return channels;
     });
     updateButtons();
     m_timer.start();
@@ -202,8 +245,21 @@ void CalibrationPage::hideEvent(QHideEvent *event)
     m_timer.stop();
 }
 
+void CalibrationPage::startMagnetometer()
+{
+    m_stack->setCurrentWidget(m_magnetometer);
+    m_magnetometer->begin();
+}
+
+bool CalibrationPage::isUnderWay() const
+{
+    return m_step == Step::Place || m_step == Step::Measure
+        || m_magnetometer->step() == MagnetometerCard::Step::Turning;
+}
+
 void CalibrationPage::updateButtons()
 {
+    m_further->setVisible(workspace().hasAction(u"calibrate.magnetometer"_s));
     const bool can = !workspace().client().device() || workspace().hasAction(u"calibrate.gyro"_s);
     for (QPushButton *button : m_stack->widget(0)->findChildren<QPushButton *>()) {
         if (m_copies->isAncestorOf(button))
@@ -222,6 +278,7 @@ int CalibrationPage::doneCount() const
 void CalibrationPage::start(Kind kind)
 {
     m_kind = kind;
+    m_begunWith = workspace().latest(simplebgc::CurrentImu);
     m_done = 0;
     m_quality = {};
     setStep(Step::Place);
@@ -294,8 +351,29 @@ QString CalibrationPage::waitingFor() const
     return {};
 }
 
+// Whoever has selected it, a program beside this one or a restart as well.
+void CalibrationPage::followSensor()
+{
+    const double selected = workspace().latest(simplebgc::CurrentImu);
+    if (const int at = std::isnan(selected) ? 0 : m_sensor->findData(int(selected));
+        at >= 0 && !m_sensor->view()->isVisible())
+        m_sensor->setCurrentIndex(at);
+    m_sensor->setVisible(workspace().hasAction(u"imu.select"_s));
+    m_sensor->setEnabled(workspace().client().isConnected() && !isUnderWay()
+                         && !workspace().client().isBusy());
+    if (std::isnan(m_begunWith))
+        m_begunWith = selected;
+    const bool isOther = m_step == Step::Place && !std::isnan(selected) && selected != m_begunWith;
+    if (!isOther)
+        return;
+    workspace().notifications().notify(tr("The board shows another sensor now. The calibration begins anew."),
+                                       Notice::Attention);
+    start(m_kind);
+}
+
 void CalibrationPage::look()
 {
+    followSensor();
     if (m_step != Step::Place)
         return;
     const auto store = workspace().client().telemetry();
@@ -418,6 +496,7 @@ void CalibrationPage::showResult()
                 "<td style='padding:2px 0' align='right'>%2</td></tr>"_s.arg(name.toHtmlEscaped(),
                                                                              value.toHtmlEscaped());
     };
+    row(tr("Sensor"), m_begunWith == 2 ? tr("frame IMU") : tr("main IMU"));
     if (gyro) {
         row(tr("Drift before"), tr("%1 °/s").arg(numberText(m_quality.biasBefore, 2)));
         row(tr("Drift now"), tr("%1 °/s").arg(numberText(m_quality.biasAfter, 2)));

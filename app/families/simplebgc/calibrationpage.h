@@ -7,8 +7,11 @@
 
 #include <QTimer>
 
+class Card;
 class CopyCard;
 class FaceList;
+class MagnetometerCard;
+class QComboBox;
 class QProgressBar;
 class QPushButton;
 class QStackedWidget;
@@ -27,14 +30,14 @@ public:
 
     void start(Kind kind);
     [[nodiscard]] Step step() const { return m_step; }
-    [[nodiscard]] bool isUnderWay() const override
-    {
-        return m_step == Step::Place || m_step == Step::Measure;
-    }
+    [[nodiscard]] bool isUnderWay() const override;
     [[nodiscard]] QPushButton *continueButton() const { return m_continue; }
     [[nodiscard]] QPushButton *cancelButton() const { return m_cancel; }
     [[nodiscard]] QPushButton *backButton() const { return m_back; }
     [[nodiscard]] CopyCard *copies() const { return m_copies; }
+    [[nodiscard]] QComboBox *sensorBox() const { return m_sensor; }
+    [[nodiscard]] MagnetometerCard *magnetometer() const { return m_magnetometer; }
+    void startMagnetometer();
     /// The sensor has been still for long enough and lies as it should.
     [[nodiscard]] bool isSatisfied() const { return m_satisfied; }
     /// Positions that are done.
@@ -48,8 +51,10 @@ protected:
 
 private:
     [[nodiscard]] QWidget *makeChooser();
+    [[nodiscard]] QWidget *makeFurther();
     [[nodiscard]] QWidget *makeWizard();
     void setStep(Step step);
+    void followSensor();
     void look();
     void measure();
     void onMeasured(const Result<ActionOutcome> &outcome);
@@ -77,6 +82,10 @@ private:
     bool m_satisfied = false;
     QStackedWidget *m_stack;
     CopyCard *m_copies = nullptr;
+    QComboBox *m_sensor;  // which one the board shows and calibrates
+    double m_begunWith = 0;  // that one, when the wizard began
+    Card *m_further = nullptr;  // what only boards with a magnetometer have
+    MagnetometerCard *m_magnetometer;
     QLabel *m_what;
     QLabel *m_sees;
     QLabel *m_result;

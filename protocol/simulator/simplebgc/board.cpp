@@ -362,7 +362,7 @@ void SimulatedBoard::updateFaults()
         m_writesSeen = 0;
     m_stabilizer.setImuPresent(!faults.noImu);
     m_stabilizer.setPose(faults.pose);
-    m_stabilizer.setHandOnCamera(Stabilizer::Hand(faults.hand));
+    m_stabilizer.setHandOnCamera(handOnCamera());
     m_stabilizer.setSwappedMotors(faults.swappedAxes);
     if (std::exchange(m_mount, faults.mount) != faults.mount)
         believeAxes();

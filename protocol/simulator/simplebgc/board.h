@@ -224,6 +224,8 @@ private:
     void updateFrameSensor();
     [[nodiscard]] double frameAngle(Axis axis) const;
     void updateMagnetometer();
+    [[nodiscard]] std::array<double, 3> fieldAtCamera() const;
+    [[nodiscard]] Stabilizer::Hand handOnCamera() const;
     [[nodiscard]] std::array<double, 3> earthField(double roll, double pitch, double yaw) const;
     void startMagCalibration(const Frame &frame);
     void updateMagCalibration();
@@ -526,6 +528,7 @@ private:
     std::array<double, kAxisCount> m_frameRawAcc{};
     std::array<double, 3> m_magRaw{210, -40, 380};  // counts; without the sensor they say nothing
     std::array<double, 3> m_magZero{};  // found by calibration
+    std::array<double, 3> m_magScale{1, 1, 1};  // the same
     double m_headingError = 0;  // degrees
     struct MagCalibration
     {

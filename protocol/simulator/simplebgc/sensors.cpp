@@ -31,12 +31,13 @@ constexpr int kFieldOfFailure
 constexpr double kEarthLevel = 200;  // counts of the magnetometer
 constexpr double kEarthDown = 346;
 constexpr std::array<double, 3> kMagBias{90, -60, 110};  // iron beside it: right, front, up
+// Iron that the earth makes a magnet: it bends and stretches the field.
+constexpr std::array<std::array<double, 3>, 3> kSoftIron{
+    {{1.06, 0.02, 0}, {0.02, 0.95, 0.015}, {0, 0.015, 0.99}}};
 constexpr double kMagNoise = 1.5;
 constexpr double kMagPull = 0.004;  // per second and count of trust
 constexpr double kMagTime = 20;  // seconds of a calibration
 constexpr double kMagSpread = 250;  // counts on each axis that show that the camera was turned
-constexpr double kRolledOver = 180;  // degrees to either side
-constexpr double kPitchedOver = 80;
 
 double toHalfTurn(double degrees)
 {
@@ -271,16 +272,31 @@ std::array<double, 3> SimulatedBoard::earthField(double roll, double pitch, doub
             up * std::cos(r) - right * std::sin(r)};
 }
 
+// Where it lies, north is along the next of its axes.
+std::array<double, 3> SimulatedBoard::fieldAtCamera() const
+{
+    const int pose = m_stabilizer.pose();
+    if (pose == 0)
+        return earthField(m_stabilizer.trueAngle(Axis::Roll), m_stabilizer.trueAngle(Axis::Pitch),
+                          m_stabilizer.trueAngle(Axis::Yaw));
+    constexpr int kFaces = 6;
+    if (pose > kFaces)
+        return earthField(0, 45, 0);
+    const auto &up = m_stabilizer.gravity();
+    return {kEarthLevel * std::abs(up[2]) - kEarthDown * up[0],
+            kEarthLevel * std::abs(up[0]) - kEarthDown * up[1],
+            kEarthLevel * std::abs(up[1]) - kEarthDown * up[2]};
+}
+
 // Its heading holds the yaw angle, which nothing else corrects: towards where the iron beside it points as
 // well, until a calibration has found that.
 void SimulatedBoard::updateMagnetometer()
 {
-    const auto trueField = earthField(m_stabilizer.trueAngle(Axis::Roll), m_stabilizer.trueAngle(Axis::Pitch),
-                                      m_stabilizer.trueAngle(Axis::Yaw));
+    const auto field = fieldAtCamera();
     std::array<double, 3> seen{};
     for (std::size_t i = 0; i < seen.size(); ++i) {
-        m_magRaw[i] = trueField[i] + kMagBias[i] + m_sensorNoise.gauss(kMagNoise);
-        seen[i] = m_magRaw[i] - m_magZero[i];
+        m_magRaw[i] = dot(kSoftIron[i], field) + kMagBias[i] + m_sensorNoise.gauss(kMagNoise);
+        seen[i] = (m_magRaw[i] - m_magZero[i]) * m_magScale[i];
     }
     updateMagCalibration();
     if (m_magCalibration.until > 0 || !m_stabilizer.imuPresent())
@@ -291,17 +307,17 @@ void SimulatedBoard::updateMagnetometer()
     const auto along = [&seen](const std::array<double, 3> &axis) {
         return seen[0] * axis[0] + seen[1] * axis[1] + seen[2] * axis[2];
     };
-    const std::array<double, 3> field{along(right), along(front), along(up)};
+    const std::array<double, 3> own{along(right), along(front), along(up)};
     const double r = radians(m_stabilizer.estimate(Axis::Roll));
     const double p = radians(m_stabilizer.estimate(Axis::Pitch));
-    const double level = field[2] * std::cos(r) + field[0] * std::sin(r);
-    const double across = field[0] * std::cos(r) - field[2] * std::sin(r);
-    const double ahead = field[1] * std::cos(p) + level * std::sin(p);
+    const double level = own[2] * std::cos(r) + own[0] * std::sin(r);
+    const double across = own[0] * std::cos(r) - own[2] * std::sin(r);
+    const double ahead = own[1] * std::cos(p) + level * std::sin(p);
     const double declination = value(u"imu.mag.declination"_s);
     const double heading = degrees(std::atan2(-across, ahead)) + declination;
     const double yaw = m_stabilizer.estimate(Axis::Yaw);
     m_headingError = angleBetween(
-        field,
+        own,
         earthField(m_stabilizer.estimate(Axis::Roll), m_stabilizer.estimate(Axis::Pitch), yaw - declination));
     const double pull = kMagPull * value(u"imu.mag.trust"_s) * Stabilizer::kCycle;
     m_stabilizer.setEstimate(Axis::Yaw, yaw + toHalfTurn(heading - yaw) * pull);
@@ -323,8 +339,10 @@ void SimulatedBoard::startMagCalibration(const Frame &frame)
     }
     if (isExtended)
         confirm(frame);
-    if (action == 2)
+    if (action == 2) {
         m_magZero = {};
+        m_magScale = {1, 1, 1};
+    }
     if (action == 2 || action == 4 || action == 5) {
         reply(frame, CommandId::Reset, {});
         restart(kResetNotice);
@@ -339,7 +357,16 @@ void SimulatedBoard::startMagCalibration(const Frame &frame)
     m_stabilizer.setHeld(true);  // the operator takes the camera into his hand
 }
 
-// He turns it over and over, unless a fault has it lie somewhere. The zero is the middle of what was seen.
+// Unless he is told otherwise, the operator turns over and over what he is to turn.
+Stabilizer::Hand SimulatedBoard::handOnCamera() const
+{
+    const Faults &faults = m_options.faults;
+    const bool isAsked = m_magCalibration.until > 0 && faults.pose == 0 && faults.hand == 0;
+    return isAsked ? Stabilizer::Hand::TurnsOver : Stabilizer::Hand(faults.hand);
+}
+
+// The zero is the middle of what was seen, and each
+// axis is scaled to the same length: what iron bends askew is left.
 void SimulatedBoard::updateMagCalibration()
 {
     MagCalibration &run = m_magCalibration;
@@ -351,20 +378,16 @@ void SimulatedBoard::updateMagCalibration()
     }
     const double done = 1 - (run.until - m_now) / kMagTime;
     const bool isCutShort = m_options.faults.failWith != 0 && done > 0.5;
-    if (m_now < run.until && !isCutShort) {
-        if (m_options.faults.pose != 0)
-            return;
-        const auto swing = [done](int times) { return std::sin(2 * std::numbers::pi * done * times); };
-        m_stabilizer.plant(Axis::Roll).setAngle(kRolledOver * swing(5));
-        m_stabilizer.plant(Axis::Pitch).setAngle(kPitchedOver * swing(3));
-        m_stabilizer.plant(Axis::Yaw).setAngle(360 * 2 * done);
+    if (m_now < run.until && !isCutShort)
         return;
-    }
     bool isSeen = true;
     for (std::size_t i = 0; i < m_magRaw.size(); ++i)
         isSeen &= run.high[i] - run.low[i] > kMagSpread;
-    for (std::size_t i = 0; i < m_magRaw.size() && isSeen && !isCutShort; ++i)
+    const double wide = (run.high[0] - run.low[0] + run.high[1] - run.low[1] + run.high[2] - run.low[2]) / 3;
+    for (std::size_t i = 0; i < m_magRaw.size() && isSeen && !isCutShort; ++i) {
         m_magZero[i] = (run.high[i] + run.low[i]) / 2;
+        m_magScale[i] = wide / (run.high[i] - run.low[i]);
+    }
     for (const Axis axis : kAxes)
         m_stabilizer.plant(axis).setAngle(0.0);
     m_stabilizer.setHeld(false);

@@ -77,8 +77,8 @@ const std::vector<Row> &rows()
         {"pose", 0, 7, "", "0 in the gimbal; 1-6 the camera lies still with Z, -Z, X, -X, Y, -Y up; 7 tilted 45 degrees down (a drone: 0 as it is, 1-7 in your "
          "hands: level, right side down, left, nose down, up, turned right, left)",
          [](Faults &f, double v) { f.pose = int(v); }},
-        {"hand", 0, 4, "simplebgc", "what a hand does with the camera in the gimbal: 0 nothing, 1 holds it level, 2 moves it to and fro as far as it goes, "
-         "3 tilts its nose down, 4 its right side",
+        {"hand", 0, 6, "simplebgc", "what a hand does with the camera in the gimbal: 0 nothing, 1 holds it level, 2 moves it to and fro as far as it goes, "
+         "3 tilts its nose down, 4 its right side; 5 turns it to all sides, 6 about its upright axis only",
          [](Faults &f, double v) { f.hand = int(v); }},
         {"imbalance", 0, 2000, "simplebgc", "how far off balance the camera is mounted, % of a usual one, 100 = usual",
          [](Faults &f, double v) { f.imbalance = v; }},

@@ -43,7 +43,8 @@ struct Faults
     int pose = 0;  ///< pose: 0 in the gimbal, 1-6 the camera lies still with Z, -Z, X, -X, Y, -Y up, 7 tilted
                    ///< 45° down; a drone: see its board
     int hand = 0;  ///< hand: what a hand does with the camera in the gimbal: 0 nothing, 1 holds it level, 2
-                   ///< moves it to and fro as far as it goes, 3 tilts its nose down, 4 its right side
+                   ///< moves it to and fro as far as it goes, 3 tilts its nose down, 4 its right side, 5
+                   ///< turns it to all sides, 6 about its upright axis only
     double imbalance = 100;  ///< imbalance: how far off balance the camera is mounted, % of a usual one
     int mount
         = 0;  ///< mount: orientation of the sensor on the camera, as STorM32 numbers them; SimpleBGC: 4 times

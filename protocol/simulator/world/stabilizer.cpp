@@ -132,6 +132,10 @@ void Stabilizer::moveByHand()
     constexpr double kTilt = 40;
     constexpr double kFastest = 180;  // deg/s
     m_moved += kCycle;
+    if (m_handOnCamera == Hand::TurnsOver || m_handOnCamera == Hand::TurnsUpright) {
+        turnByHand();
+        return;
+    }
     const auto turn = std::size_t(std::fmod(m_moved / kPeriod, double(kAxisCount)));
     for (std::size_t i = 0; i < kAxisCount; ++i) {
         AxisPlant &plant = m_axes[i].plant;
@@ -145,6 +149,25 @@ void Stabilizer::moveByHand()
         const double step = std::clamp(wanted - plant.trueAngle(), -kFastest * kCycle, kFastest * kCycle);
         plant.setMotion(plant.trueAngle() + step, step / kCycle);
     }
+}
+
+// Taken out of the gimbal: to all sides in turn, or about its upright axis only, as those do it who have not
+// read on.
+void Stabilizer::turnByHand()
+{
+    constexpr double kPeriod = 20;  // seconds until it has been everywhere
+    constexpr double kRolledOver = 180;  // degrees to either side
+    constexpr double kPitchedOver = 80;
+    constexpr double kFull = 2 * std::numbers::pi / kPeriod;
+    const bool isOver = m_handOnCamera == Hand::TurnsOver;
+    const auto swing = [&](Axis axis, double reach, int times) {
+        const double phase = m_moved * kFull * times;
+        plant(axis).setMotion(reach * std::sin(phase), reach * kFull * times * std::cos(phase));
+    };
+    swing(Axis::Roll, isOver ? kRolledOver : 0, 5);
+    swing(Axis::Pitch, isOver ? kPitchedOver : 0, 3);
+    constexpr double kYawRate = 2 * 360 / kPeriod;
+    plant(Axis::Yaw).setMotion(kYawRate * m_moved, kYawRate);
 }
 
 void Stabilizer::setBelievedAxes(const Rotation &axes)

@@ -71,7 +71,7 @@ public:
     void setPose(int pose);
     [[nodiscard]] int pose() const { return m_pose; }
     /// What a hand does with the camera in the gimbal.
-    enum class Hand { None, HoldsLevel, Moves, NoseDown, RightDown };
+    enum class Hand { None, HoldsLevel, Moves, NoseDown, RightDown, TurnsOver, TurnsUpright };
     void setHandOnCamera(Hand hand);
     /// True gravity, in g, in the camera's axes right, forward and up.
     [[nodiscard]] const std::array<double, kAxisCount> &gravity() const { return m_gravity; }
@@ -160,6 +160,7 @@ private:
     static std::size_t index(Axis axis) { return static_cast<std::size_t>(axis); }
     void sense();
     void moveByHand();
+    void turnByHand();
     void misjudge();
     void updateEstimate();
     void control(AxisState &axis);
