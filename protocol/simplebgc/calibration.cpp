@@ -398,7 +398,7 @@ Result<QMap<QString, double>> Actions::gainsInUse(int profile, bool isActive)
             const auto value = std::find_if(live->begin(), live->end(), [&spec](const AdjustableValue &each) {
                 return each.id == spec.adjustable;
             });
-            if (value != live->end() && parts.size() == 3 && parts[0] == u"pid"_s)
+            if (value != live->end() && parts.size() == 3)
                 gains.insert(parts[2] + u'.' + parts[1], spec.toDisplay(spec.rawOf(value->value)));
         }
         return gains;
@@ -499,7 +499,9 @@ Result<ActionReply> Actions::autoTune(const QVariantMap &arguments)
         return tl::unexpected(error);
     }
     for (auto it = after->begin(); it != after->end(); ++it) {
-        const bool isFound = !progress.values.contains(it.key()) || progress.values[it.key()] == it.value();
+        const bool isSought = flags & AutoPidTuneLpf || !it.key().startsWith(u"lpf."_s);
+        const bool isFound
+            = !isSought || !progress.values.contains(it.key()) || progress.values[it.key()] == it.value();
         if (!isFound && *before == *after) {
             return failure(
                 ErrorCode::NoEffect,

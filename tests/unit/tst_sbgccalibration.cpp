@@ -93,6 +93,8 @@ private slots:
     void calibrationCanBeCancelled();
     void autoTuneFindsAndSavesGains_data();
     void autoTuneFindsAndSavesGains();
+    void autoTuneLowersTheFilter_data();
+    void autoTuneLowersTheFilter();
     void autoTuneStopsWhenCancelled();
     void confirmedStopOfASearchProvesNothing();
     void startConfirmedTwiceIsNoEnd();
@@ -337,6 +339,66 @@ void TestSbgcCalibration::autoTuneFindsAndSavesGains()
     // The found gains hold.
     std::ignore = bench.channel.sleep(2s);
     QVERIFY(std::abs(bench.board().stabilizer().estimate(Axis::Roll)) < 0.5);
+}
+
+void TestSbgcCalibration::autoTuneLowersTheFilter_data()
+{
+    QTest::addColumn<QString>("action");
+    QTest::addColumn<int>("seed");
+    for (int seed = 1; seed <= 3; ++seed) {
+        QTest::addRow("all axes alike, %d", seed) << u"autotune"_s << seed;
+        QTest::addRow("by axis, %d", seed) << u"autotune.by_axis"_s << seed;
+    }
+}
+
+// Where it is asked to, and the filter is in use: lower, and held as well as with the gains alone.
+void TestSbgcCalibration::autoTuneLowersTheFilter()
+{
+    QFETCH(QString, action);
+    QFETCH(int, seed);
+    const auto search = [&](const QString &lpf, QMap<QString, int> &filters) {
+        SimulatorOptions options = withFirmware(2738);
+        options.seed = unsigned(seed);
+        VirtualBoard bench(options);
+        if (!bench.identify())
+            qFatal("no board");
+        bench.board().stabilizer().imu().gyroCorrection = bench.board().stabilizer().imu().gyroBias;
+        for (const QString &axis : {u"roll"_s, u"pitch"_s, u"yaw"_s}) {
+            bench.board().store(u"filter.%1.lpf"_s.arg(axis), 0, 350);
+            bench.board().store(u"filter.%1.enabled"_s.arg(axis), 0, axis == u"yaw"_s ? 0 : 8);
+        }
+        const auto done = bench.device.perform(bench.channel, action,
+                                               argumentsFor(bench.device, action.toUtf8().constData(),
+                                                            {{u"lpf"_s, lpf}, {u"keep"_s, u"off"_s}}));
+        if (!done)
+            qFatal("%s", qPrintable(done.error().detail));
+        std::ignore = bench.channel.sleep(3s);  // back from the last step
+        double squares = 0;
+        constexpr int kLooks = 4000;
+        for (int look = 0; look < kLooks; ++look) {
+            std::ignore = bench.channel.sleep(5ms);
+            squares += std::pow(bench.board().stabilizer().estimate(Axis::Pitch), 2);
+        }
+        for (const QString &axis : {u"roll"_s, u"pitch"_s, u"yaw"_s}) {
+            filters.insert(axis, bench.board().inUse(u"filter.%1.lpf"_s.arg(axis)));
+            if (bench.board().stored(u"filter.%1.lpf"_s.arg(axis), 0) != filters[axis])
+                qFatal("it is in use and not stored");
+            if (done->contains(u"lpf."_s + axis) && done->value(u"lpf."_s + axis).toInt() != filters[axis])
+                qFatal("it tells another one");
+        }
+        return std::sqrt(squares / kLooks);
+    };
+    QMap<QString, int> left;
+    QMap<QString, int> tuned;
+    const double without = search(u"off"_s, left);
+    const double with = search(u"on"_s, tuned);
+    QCOMPARE(left, (QMap<QString, int>{{u"roll"_s, 350}, {u"pitch"_s, 350}, {u"yaw"_s, 350}}));
+    qInfo("roll %d Hz, pitch %d Hz; pitch off by %.3f°, with the filter as it was %.3f°", tuned[u"roll"_s],
+          tuned[u"pitch"_s], with, without);
+    for (const QString &axis : {u"roll"_s, u"pitch"_s})
+        QVERIFY(tuned[axis] >= 10 && tuned[axis] < 350);
+    QCOMPARE(tuned[u"yaw"_s], 350);  // its filter is not in use
+    QVERIFY(with < 1.3 * without);
 }
 
 void TestSbgcCalibration::autoTuneStopsWhenCancelled()
