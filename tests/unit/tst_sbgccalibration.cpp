@@ -82,6 +82,8 @@ private slots:
     void gyroCalibrationRemovesTheBias_data();
     void gyroCalibrationRemovesTheBias();
     void accCalibrationLevelsTheHorizon();
+    void driftOfTheGyroscopeIsNoErrorOfTheAccelerometer_data();
+    void driftOfTheGyroscopeIsNoErrorOfTheAccelerometer();
     void motorsAreOffBetweenPositions();
     void motorsThatMayRunStopIt();
     void turnedSensorIsRefusedWhileMotorsRun();
@@ -153,6 +155,45 @@ void TestSbgcCalibration::accCalibrationLevelsTheHorizon()
     std::ignore = bench.channel.sleep(20s);
     const double after = std::abs(bench.board().stabilizer().trueAngle(Axis::Roll));
     QVERIFY2(after < tiltedBefore / 2, qPrintable(QString::number(after)));
+}
+
+void TestSbgcCalibration::driftOfTheGyroscopeIsNoErrorOfTheAccelerometer_data()
+{
+    QTest::addColumn<int>("seed");
+    QTest::addColumn<int>("waits");
+    for (int seed = 1; seed <= 3; ++seed) {
+        QTest::addRow("at once, %d", seed) << seed << 0;
+        QTest::addRow("later, %d", seed) << seed << 20;
+    }
+}
+
+// A gyroscope that nobody has calibrated has the motors hold the camera tilted, before and after.
+void TestSbgcCalibration::driftOfTheGyroscopeIsNoErrorOfTheAccelerometer()
+{
+    QFETCH(int, seed);
+    QFETCH(int, waits);
+    SimulatorOptions options;
+    options.seed = unsigned(seed);
+    VirtualBoard bench(options);
+    QVERIFY(bench.identify());
+    std::ignore = bench.channel.sleep(std::chrono::seconds(waits));
+    const QVariantMap arguments = argumentsFor(bench.device, "calibrate.acc");
+    // Confirmed and not done, it is told as that all the same.
+    Altering swallowing(bench.channel, [&](const Request &each, const Altering::Pass &pass) -> Result<Frame> {
+        return each.name == u"CALIB_ACC"_s ? Frame{} : pass(each);
+    });
+    const auto swallowed
+        = bench.device.perform(swallowing, u"calibrate.acc"_s,
+                               argumentsFor(bench.device, "calibrate.acc", {{u"form"_s, u"simple"_s}}));
+    QVERIFY(!swallowed);
+    QCOMPARE(swallowed.error().code, ErrorCode::NoEffect);
+    const auto done = bench.device.perform(bench.channel, u"calibrate.acc"_s, arguments);
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QVERIFY(bench.board().stabilizer().motorsOn());
+    QVERIFY(std::abs(bench.board().stabilizer().gravity()[1]) > 0.03);  // tilted it is
+    const double before = done->value(u"acc.error.before"_s).toDouble();
+    const double after = done->value(u"acc.error.after"_s).toDouble();
+    QVERIFY2(before > 0.03 && after < 0.01, qPrintable(u"%1 %2"_s.arg(before).arg(after)));
 }
 
 // Whoever asks for it, and whatever the board does by itself at the end of a measurement.
