@@ -16,6 +16,7 @@ class TestSetupGuide final : public QObject
 {
     Q_OBJECT
 private slots:
+    void anUnpackedGimbalIsTuned_data();
     void anUnpackedGimbalIsTuned();
     void aUseChangesItsValuesAlone_data();
     void aUseChangesItsValuesAlone();
@@ -58,9 +59,18 @@ private slots:
     void aCertificateSaysAll();
 };
 
+void TestSetupGuide::anUnpackedGimbalIsTuned_data()
+{
+    QTest::addColumn<unsigned>("seed");
+    // The fourth camera hangs farther off when its motors come on, the sixth is in an unsteadier hand.
+    for (const unsigned seed : {1U, 4U, 6U})
+        QTest::addRow("%u", seed) << seed;
+}
+
 void TestSetupGuide::anUnpackedGimbalIsTuned()
 {
-    SetupBench bench;
+    QFETCH(unsigned, seed);
+    SetupBench bench(SetupBench::unpacked(true, {}, 0, seed));
     QCOMPARE(stepsOf(bench.board.device).size(), kSetupSteps);
     bench.hand(1);
     auto result = bench.run("power");
@@ -107,7 +117,9 @@ void TestSetupGuide::anUnpackedGimbalIsTuned()
     QCOMPARE(bench.stored(u"motor.roll.poles"_s), 14);
     QCOMPARE(bench.stored(u"motor.pitch.invert"_s), 0);
     QVERIFY(bench.board.board().stabilizer().motorsOn());
-    QVERIFY(*result->figure(u"strays.pitch"_s) < 10);
+    // With its own power it is held where it was brought, however far it hung.
+    for (const Axis axis : kAxes)
+        QVERIFY2(*result->figure(setupFigureKey("strays", axis)) < 5, qPrintable(why(result)));
 
     result = bench.run("motor-power");
     QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
@@ -116,9 +128,11 @@ void TestSetupGuide::anUnpackedGimbalIsTuned()
     result = bench.run("gains");
     QVERIFY2(result && result->remarks.contains(u"gains.better"_s), qPrintable(why(result)));
     QCOMPARE(result->state == State::Poor, result->remarks.contains(u"gains.shakes"_s));
-    // Each axis that has other gains is held better, none worse than a hand differs. One whose new gains
-    // were worse has its own again, and the others keep theirs.
+    // The camera is held better, and no axis worse than a hand differs. One whose new gains were worse has
+    // its own again, and the others keep theirs.
     bool hasOwn = false;
+    double is = 0;
+    double was = 0;
     for (const Axis axis : kAxes) {
         const QString gains = u"pid."_s + QLatin1String(axisKey(axis));
         const auto held
@@ -126,10 +140,13 @@ void TestSetupGuide::anUnpackedGimbalIsTuned()
         QVERIFY(held != result->figures.end() && held->before);
         const bool hasOthers = std::ranges::any_of(
             result->changes, [&gains](const SetupChange &change) { return change.key.startsWith(gains); });
-        QVERIFY2(held->value < (hasOthers ? 1.0 : 1.4) * *held->before, qPrintable(why(result)));
+        QVERIFY2(held->value < 1.4 * *held->before, qPrintable(why(result)));
+        is += held->value * held->value;
+        was += *held->before * *held->before;
         hasOwn |= !hasOthers;
     }
     QCOMPARE(result->remarks.contains(u"gains.axisback"_s), hasOwn);
+    QVERIFY2(std::sqrt(is) < 0.95 * std::sqrt(was), qPrintable(why(result)));
     QVERIFY2(result->figure(u"rises.pitch"_s) > 1.0 && result->figure(u"overshoots.pitch"_s) >= 0.0,
              qPrintable(why(result)));
     // Held as the board's own search holds it, and that is what is stored.
