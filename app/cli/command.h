@@ -124,6 +124,8 @@ signals:
     void failed(const Error &error, int exitCode);
     /// For people, on stderr.
     void told(const QString &line);
+    /// What is so at this moment, the same way; soon it is something else.
+    void shown(const QString &line);
 
 protected:
     /// What the supervisor cannot see, and which faults the board reports, is told from now on.

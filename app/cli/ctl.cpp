@@ -245,6 +245,8 @@ std::optional<int> Ctl::start(const QStringList &arguments)
     connect(m_command, &Command::finished, this, &Ctl::finish);
     connect(m_command, &Command::failed, this, &Ctl::onError);
     connect(m_command, &Command::told, this, &Ctl::onTold);
+    if (!m_context.json)
+        connect(m_command, &Command::shown, this, [this](const QString &line) { m_live.show(line); });
     if (!m_command->needsBoard()) {
         QMetaObject::invokeMethod(m_command, &Command::startWithoutBoard, Qt::QueuedConnection);
         return {};
@@ -367,6 +369,7 @@ Result<void> Ctl::knowBoard()
 
 void Ctl::onTold(const QString &line)
 {
+    m_live.clear();
     m_err << line << "\n";
     m_err.flush();
 }
@@ -376,6 +379,7 @@ void Ctl::onError(const Error &error, int exitCode)
     if (m_finished)
         return;
     m_finished = true;
+    m_live.clear();
     if (!m_leftOut.isEmpty())
         m_err << leftOutText(m_leftOut) << "\n";
     const QString open = m_command->leftOpen(error);
@@ -450,6 +454,8 @@ void Ctl::finish(const Result<CommandOutcome> &outcome)
         return;
     }
     m_finished = true;
+    m_live.clear();
+    m_err.flush();
     CommandOutcome whole = *outcome;
     reportLeftOut(whole, m_leftOut, m_partial);
     if (m_wasMovedUnwanted && m_command->moves() && whole.exitCode == Done)

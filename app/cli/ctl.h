@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/cli/command.h"
+#include "app/cli/liveline.h"
 #include "app/composition/links.h"
 
 #include <QJsonArray>
@@ -50,6 +51,7 @@ private:
 
     QTextStream m_out{stdout};
     QTextStream m_err{stderr};
+    LiveLine m_live{m_err};
     Links m_links;
     CommandContext m_context;
     Commands m_commands;  // the client's threads may use one, so they outlive it

@@ -3,16 +3,19 @@
 #include "app/cli/actioncommand.h"
 #include "protocol/base/filefault.h"
 #include "protocol/guide/setupguide.h"
+#include "protocol/guide/setuplive.h"
 #include "protocol/procedure/trialnote.h"
 
 #include <QJsonDocument>
 
 #include <algorithm>
+#include <atomic>
 
 using namespace Qt::StringLiterals;
 
 namespace {
 
+constexpr auto kLivePeriod = 200ms;
 const QString kNext = u"next"_s;
 const QString kPage = u".html"_s;
 const QString kData = u".json"_s;
@@ -73,6 +76,13 @@ public:
                                                                        names.join(u", "_s));
     }
     bool moves() const override { return !arguments().isEmpty() && !m_skip; }
+    void start(DeviceClient &client) override
+    {
+        connect(&m_live, &QTimer::timeout, this, &SetupCommand::showLive);
+        connect(this, &Command::finished, &m_live, &QTimer::stop);
+        m_live.start(kLivePeriod);
+        BoardCommand::start(client);
+    }
 
 protected:
     QList<int> awaits(const Device &device) const override
@@ -155,8 +165,10 @@ private:
                                    key, english(spec.action.confirm)));
             if (*spec.needs)
                 emit told(u"%1: %2"_s.arg(key, english(spec.needs)));
+            m_step = &spec;
             const auto done = SetupGuide(channel, device, *telemetry(), history())
                                   .run(spec.step, *answers, record.result(SetupStep::Motors).isOver());
+            m_step = nullptr;
             if (!done) {
                 result.state = SetupResult::State::Failed;
                 result.at = QDateTime::currentDateTimeUtc();
@@ -180,6 +192,14 @@ private:
         if (!result.snapshot.isEmpty())
             outcome.note += u"snapshot: %1\n"_s.arg(result.snapshot);
         return {};
+    }
+
+    void showLive()
+    {
+        const SetupStepSpec *spec = m_step;
+        if (!spec || !telemetry() || !client().device())
+            return;
+        emit shown(setupLiveText(spec->step, client().device()->channels(), client().roles(), *telemetry()));
     }
 
     Result<QVariantMap> parseAnswers(const SetupStepSpec &spec) const
@@ -221,6 +241,8 @@ private:
     bool m_skip = false;
     bool m_anew = false;
     QString m_certificate;
+    std::atomic<const SetupStepSpec *> m_step = nullptr;  // that goes on, on the worker
+    QTimer m_live;
 };
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 constexpr double kRecently = 1;  // seconds
@@ -44,11 +46,51 @@ constexpr SetupLiveSpec kLive[] = {
 };
 // clang-format on
 
+// Of the last second. Empty: too few samples came.
+std::optional<double> recentSpread(const TelemetryStore &telemetry, int channel)
+{
+    const double newest = telemetry.secondsAt(telemetry.latestAt(channel));
+    const auto samples = uniformSamples(telemetry, channel, -1, newest - kRecently, newest);
+    return samples ? std::optional(spreadOf(samples->values)) : std::nullopt;
+}
+
 }  // namespace
 
 std::array<int, 3> SetupLiveSpec::channels(const ChannelRoles &roles) const
 {
     return triple ? roles.*triple : std::array<int, 3>{roles.*single, -1, -1};
+}
+
+std::optional<double> SetupLiveSpec::value(const TelemetryStore &telemetry, int channel) const
+{
+    if (isSpread)
+        return recentSpread(telemetry, channel);
+    const double latest = double(telemetry.latest(channel));
+    return std::isnan(latest) ? std::nullopt : std::optional(latest);
+}
+
+QString setupLiveText(SetupStep step, ChannelTable table, const ChannelRoles &roles,
+                      const TelemetryStore &telemetry)
+{
+    QStringList rows;
+    for (const SetupLiveSpec &spec : kLive) {
+        QString row;
+        const char *unit = "";
+        for (const int channel : spec.step == step ? spec.channels(roles) : std::array{-1, -1, -1}) {
+            if (channel < 0)
+                continue;
+            const ChannelSpec &each = table[std::size_t(channel)];
+            const auto value = spec.value(telemetry, channel);
+            row += u' ';
+            row += value ? QString::number(*value, 'f', spec.isSpread ? kSpreadDecimals : each.decimals)
+                         : u"–"_s;
+            unit = each.unit;
+        }
+        if (!row.isEmpty())
+            rows.append(QLatin1String(spec.label) + row
+                        + (*unit ? u' ' + QString::fromUtf8(unit) : QString()));
+    }
+    return rows.join(u", "_s);
 }
 
 std::span<const SetupLiveSpec> setupLive()
@@ -66,11 +108,4 @@ double spreadOf(std::span<const float> values)
     }
     const auto count = double(std::max<std::size_t>(1, values.size()));
     return std::sqrt(std::max(0.0, squares / count - sum * sum / count / count));
-}
-
-std::optional<double> recentSpread(const TelemetryStore &telemetry, int channel)
-{
-    const double newest = telemetry.secondsAt(telemetry.latestAt(channel));
-    const auto samples = uniformSamples(telemetry, channel, -1, newest - kRecently, newest);
-    return samples ? std::optional(spreadOf(samples->values)) : std::nullopt;
 }

@@ -21,10 +21,14 @@ struct SetupLiveSpec
 
     /// The channels, -1 where the board has none; of a single one the first.
     [[nodiscard]] std::array<int, 3> channels(const ChannelRoles &roles) const;
+    /// What it judges of one of them at this moment. Empty: nothing came yet.
+    [[nodiscard]] std::optional<double> value(const TelemetryStore &telemetry, int channel) const;
 };
+inline constexpr int kSpreadDecimals = 3;
+/// The figures of a step in one line, in English: "Angle 0.1 -0.2 3.0 °, Motor power 20 20 0 %".
+[[nodiscard]] QString setupLiveText(SetupStep step, ChannelTable table, const ChannelRoles &roles,
+                                    const TelemetryStore &telemetry);
 [[nodiscard]] std::span<const SetupLiveSpec> setupLive();
 
 /// The standard deviation.
 [[nodiscard]] double spreadOf(std::span<const float> values);
-/// Of the last second. Empty: too few samples came.
-[[nodiscard]] std::optional<double> recentSpread(const TelemetryStore &telemetry, int channel);

@@ -114,6 +114,7 @@ Result<SetupResult> SetupGuide::findMotors(MotorTrial &trial)
     }
     if (const auto used = useMotors(trial, own, result); !used)
         return tl::unexpected(used.error());
+    strays = {};  // so far they hold how the camera had hung when the motors came on
     if (const auto run = watchMotors(trial.axes, kTogetherSeconds, u"setup-run"_s, strays); !run)
         return tl::unexpected(run.error());
     list(trial.origin, trial.board, result);

@@ -251,7 +251,7 @@ private:
     {
         double gyroBias = 0;
         double gyroNoise = 0;
-        double accError = 0;
+        double accError = 0;  ///< g, from 1 g along the face that points up; of its length where motors run
         std::array<double, 3> acc{};  ///< g, mean
         bool isUpright = false;  ///< Z points up
         bool motorsRun = false;

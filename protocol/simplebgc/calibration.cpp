@@ -187,8 +187,8 @@ Result<void> Actions::checkBetter(CommandId id, const Stillness &before, const S
     const bool isGyro = id == CommandId::CalibGyro;
     const double was = isGyro ? before.gyroBias : before.accError;
     const double is = isGyro ? after.gyroBias : after.accError;
-    const bool isMeasured
-        = after.gyroNoise < kStillNoise && (isGyro || (before.isUpright && after.isUpright));
+    const bool isMeasured = after.gyroNoise < kStillNoise
+        && (isGyro || (before.isUpright && after.isUpright && before.motorsRun == after.motorsRun));
     if (!isMeasured || was < (isGyro ? kClearBias : kClearAccError) || std::abs(is - was) > kUnchanged * was)
         return {};
     return failure(ErrorCode::NoEffect,
@@ -253,7 +253,10 @@ Result<Actions::Stillness> Actions::measureStillness()
         variance = std::max(variance, squares[axis] / kStillnessSamples - mean * mean);
     }
     stillness.gyroNoise = std::sqrt(std::max(variance, 0.0));
-    stillness.accError = gravity / kStillnessSamples;
+    // Motors hold the camera as the gyroscope's drift lets them: that tilt is no error of this sensor.
+    stillness.accError = stillness.motorsRun
+        ? std::abs(std::hypot(stillness.acc[0], stillness.acc[1], stillness.acc[2]) - 1.0)
+        : gravity / kStillnessSamples;
     return stillness;
 }
 
@@ -398,7 +401,7 @@ Result<QMap<QString, double>> Actions::gainsInUse(int profile, bool isActive)
             const auto value = std::find_if(live->begin(), live->end(), [&spec](const AdjustableValue &each) {
                 return each.id == spec.adjustable;
             });
-            if (value != live->end() && parts.size() == 3 && parts[0] == u"pid"_s)
+            if (value != live->end() && parts.size() == 3)
                 gains.insert(parts[2] + u'.' + parts[1], spec.toDisplay(spec.rawOf(value->value)));
         }
         return gains;
@@ -499,7 +502,9 @@ Result<ActionReply> Actions::autoTune(const QVariantMap &arguments)
         return tl::unexpected(error);
     }
     for (auto it = after->begin(); it != after->end(); ++it) {
-        const bool isFound = !progress.values.contains(it.key()) || progress.values[it.key()] == it.value();
+        const bool isSought = flags & AutoPidTuneLpf || !it.key().startsWith(u"lpf."_s);
+        const bool isFound
+            = !isSought || !progress.values.contains(it.key()) || progress.values[it.key()] == it.value();
         if (!isFound && *before == *after) {
             return failure(
                 ErrorCode::NoEffect,

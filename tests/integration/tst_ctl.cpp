@@ -62,6 +62,7 @@ private slots:
     void doAction();
     void calibrate();
     void encodersAreCalibrated();
+    void configurationOfAnEncoderIsThatOfItsType();
     void autotune();
     void steer();
     void rawCommandsAreAnswered();
@@ -523,6 +524,30 @@ void TestCtl::encodersAreCalibrated()
     QVERIFY(std::abs(reply.value(u"encoder.roll.field_offset"_s).toDouble() - 9.18) < 0.01);
     const Run read = ctl(link + QStringList{u"get"_s, u"encoder.roll.field_offset"_s}, false);
     QVERIFY2(read.out.contains(u"9.18"_s), qPrintable(read.out));
+}
+
+// The clock of one on SPI; of one at a driver, which it is.
+void TestCtl::configurationOfAnEncoderIsThatOfItsType()
+{
+    const SimProcess simulator({u"--tcp"_s, u"0"_s, u"--firmware"_s, u"2.73.0"_s, u"--encoders"_s, u"1"_s});
+    const auto ask = [&](const QStringList &arguments) {
+        return ctl(QStringList{u"--link"_s, simulator.address()} + arguments, false);
+    };
+    const QString config = u"encoder.roll.config"_s;
+    const auto set = [&](const QString &type, const QString &value) {
+        return ask({u"set"_s, u"encoder.roll.type="_s + type, config + u'=' + value, u"--confirmed"_s});
+    };
+    Run run = set(u"AS5048A (SPI)"_s, u"500 kHz (in a driver: AS5048 PWM)"_s);
+    QVERIFY2(run.exitCode == 0, qPrintable(run.out + run.err));
+    QCOMPARE(ask({u"get"_s, config}).out, u"3\n"_s);
+    run = set(u"AS5048A (SPI)"_s, u"In a driver: AMT203"_s);
+    QVERIFY2(run.exitCode != 0 && run.err.contains(u"one of four speeds"_s), qPrintable(run.out + run.err));
+    QCOMPARE(ask({u"get"_s, config}).out, u"3\n"_s);
+    run = set(u"I2C driver 1"_s, u"In a driver: AMT203"_s);
+    QVERIFY2(run.exitCode == 0, qPrintable(run.out + run.err));
+    QCOMPARE(ask({u"get"_s, config}).out, u"4\n"_s);
+    run = set(u"I2C driver 1"_s, u"8"_s);
+    QVERIFY2(run.exitCode != 0 && run.err.contains(u"allowed"_s), qPrintable(run.out + run.err));
 }
 
 void TestCtl::autotune()

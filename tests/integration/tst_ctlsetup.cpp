@@ -5,9 +5,14 @@
 
 #include <QElapsedTimer>
 #include <QJsonArray>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 
+#include <array>
 #include <csignal>
+#include <fcntl.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 using namespace Qt::StringLiterals;
 
@@ -22,6 +27,8 @@ private slots:
     void wrongWordsAreTold();
     void aStepThatFailsIsKept();
     void boardsWithoutItSaySo();
+    void figuresAreShownLive();
+    void onATerminalTheyStayInOneLine();
     void interruptedItIsDoneAgain();
 
 private:
@@ -234,6 +241,65 @@ void TestCtlSetup::boardsWithoutItSaySo()
     QCOMPARE(run.exitCode, 1);
     QVERIFY2(run.err.contains(u"no set-up is known"_s) || run.out.contains(u"no set-up is known"_s),
              qPrintable(run.err + run.out));
+}
+
+// A line each second at most, and none where a program reads.
+void TestCtlSetup::figuresAreShownLive()
+{
+    SimProcess gimbal({u"--tcp"_s, u"0"_s});
+    const auto lines = [](const QString &told) {
+        return told.split(u'\n').filter(
+            QRegularExpression(u"^Angle -?[0-9.]+ .*Turn rate varies by .*°/s$"_s));
+    };
+    QElapsedTimer clock;
+    clock.start();
+    Running running(m_dir->path(), {u"--link"_s, gimbal.address(), u"setup"_s, u"gains"_s, u"search=off"_s});
+    const Run run = running.finish(4 * kPatience);
+    QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+    const QStringList shown = lines(run.err);
+    QVERIFY2(shown.size() >= 4 && shown.size() <= 1 + clock.elapsed() / 1000, qPrintable(run.err));
+    QVERIFY(QSet<QString>(shown.begin(), shown.end()).size() > 2);  // they live
+    QVERIFY(!run.err.contains(u'\r') && lines(run.out).isEmpty());
+    const Run data = setup(gimbal.address(), {u"gains"_s, u"search=off"_s});
+    QVERIFY2(data.exitCode == 0 && lines(data.err).isEmpty(), qPrintable(data.err));
+}
+
+void TestCtlSetup::onATerminalTheyStayInOneLine()
+{
+    SimProcess gimbal({u"--tcp"_s, u"0"_s});
+    const int master = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
+    QVERIFY(master >= 0 && ::grantpt(master) == 0 && ::unlockpt(master) == 0);
+    constexpr unsigned short kColumns = 60;
+    const winsize size{24, kColumns, 0, 0};
+    QVERIFY(::ioctl(master, TIOCSWINSZ, &size) == 0);
+    QProcess ctl;
+    ctl.setStandardOutputFile(m_dir->filePath(u"out"_s));
+    ctl.setStandardErrorFile(QString::fromLocal8Bit(::ptsname(master)));
+    ctl.start(QStringLiteral(GIMBAL_BIN_DIR "/gimbalctl"),
+              {u"--history"_s, m_dir->filePath(u"history"_s), u"--link"_s, gimbal.address(), u"setup"_s,
+               u"gains"_s, u"search=off"_s});
+    QByteArray told;
+    const auto readAll = [&] {
+        std::array<char, 4096> part{};
+        for (ssize_t got = 0; (got = ::read(master, part.data(), part.size())) > 0;)
+            told.append(part.data(), got);
+        return ctl.state() == QProcess::NotRunning;
+    };
+    QVERIFY2(QTest::qWaitFor(readAll, 4 * kPatience), told.constData());
+    ::close(master);
+    QCOMPARE(ctl.exitCode(), 0);
+    const QByteArray kAnew = "\r\x1b[K";
+    QVERIFY2(told.count(kAnew + "Angle ") > 5, told.constData());
+    // It is gone when something else is told, and never as wide as the terminal.
+    for (const QByteArray &line : told.split('\n')) {
+        const QByteArray left = line.mid(line.lastIndexOf(kAnew) + 1);
+        QVERIFY2(!left.contains("Turn rate varies"), line.constData());
+    }
+    for (qsizetype at = told.indexOf(kAnew); at >= 0; at = told.indexOf(kAnew, at + 1)) {
+        const QByteArray shown = told.mid(at + kAnew.size()).split('\r').first();
+        if (shown.startsWith("Angle "))
+            QVERIFY2(QString::fromUtf8(shown).size() < kColumns, shown.constData());
+    }
 }
 
 void TestCtlSetup::interruptedItIsDoneAgain()

@@ -49,9 +49,10 @@ struct SetupBench
         if (std::exchange(m_stick, which) != which)
             world(QStringLiteral("stick=%1").arg(which));
     }
-    static SimulatorOptions unpacked(bool isNew, const Faults &faults, int firmware)
+    static SimulatorOptions unpacked(bool isNew, const Faults &faults, int firmware, unsigned seed = 1)
     {
         SimulatorOptions options = withFirmware(firmware);
+        options.seed = seed;
         options.faults = faults;
         if (isNew) {
             options.own[QStringLiteral("condition")] = 1;

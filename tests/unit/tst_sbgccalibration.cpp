@@ -82,6 +82,8 @@ private slots:
     void gyroCalibrationRemovesTheBias_data();
     void gyroCalibrationRemovesTheBias();
     void accCalibrationLevelsTheHorizon();
+    void driftOfTheGyroscopeIsNoErrorOfTheAccelerometer_data();
+    void driftOfTheGyroscopeIsNoErrorOfTheAccelerometer();
     void motorsAreOffBetweenPositions();
     void motorsThatMayRunStopIt();
     void turnedSensorIsRefusedWhileMotorsRun();
@@ -93,6 +95,8 @@ private slots:
     void calibrationCanBeCancelled();
     void autoTuneFindsAndSavesGains_data();
     void autoTuneFindsAndSavesGains();
+    void autoTuneLowersTheFilter_data();
+    void autoTuneLowersTheFilter();
     void autoTuneStopsWhenCancelled();
     void confirmedStopOfASearchProvesNothing();
     void startConfirmedTwiceIsNoEnd();
@@ -151,6 +155,45 @@ void TestSbgcCalibration::accCalibrationLevelsTheHorizon()
     std::ignore = bench.channel.sleep(20s);
     const double after = std::abs(bench.board().stabilizer().trueAngle(Axis::Roll));
     QVERIFY2(after < tiltedBefore / 2, qPrintable(QString::number(after)));
+}
+
+void TestSbgcCalibration::driftOfTheGyroscopeIsNoErrorOfTheAccelerometer_data()
+{
+    QTest::addColumn<int>("seed");
+    QTest::addColumn<int>("waits");
+    for (int seed = 1; seed <= 3; ++seed) {
+        QTest::addRow("at once, %d", seed) << seed << 0;
+        QTest::addRow("later, %d", seed) << seed << 20;
+    }
+}
+
+// A gyroscope that nobody has calibrated has the motors hold the camera tilted, before and after.
+void TestSbgcCalibration::driftOfTheGyroscopeIsNoErrorOfTheAccelerometer()
+{
+    QFETCH(int, seed);
+    QFETCH(int, waits);
+    SimulatorOptions options;
+    options.seed = unsigned(seed);
+    VirtualBoard bench(options);
+    QVERIFY(bench.identify());
+    std::ignore = bench.channel.sleep(std::chrono::seconds(waits));
+    const QVariantMap arguments = argumentsFor(bench.device, "calibrate.acc");
+    // Confirmed and not done, it is told as that all the same.
+    Altering swallowing(bench.channel, [&](const Request &each, const Altering::Pass &pass) -> Result<Frame> {
+        return each.name == u"CALIB_ACC"_s ? Frame{} : pass(each);
+    });
+    const auto swallowed
+        = bench.device.perform(swallowing, u"calibrate.acc"_s,
+                               argumentsFor(bench.device, "calibrate.acc", {{u"form"_s, u"simple"_s}}));
+    QVERIFY(!swallowed);
+    QCOMPARE(swallowed.error().code, ErrorCode::NoEffect);
+    const auto done = bench.device.perform(bench.channel, u"calibrate.acc"_s, arguments);
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QVERIFY(bench.board().stabilizer().motorsOn());
+    QVERIFY(std::abs(bench.board().stabilizer().gravity()[1]) > 0.03);  // tilted it is
+    const double before = done->value(u"acc.error.before"_s).toDouble();
+    const double after = done->value(u"acc.error.after"_s).toDouble();
+    QVERIFY2(before > 0.03 && after < 0.01, qPrintable(u"%1 %2"_s.arg(before).arg(after)));
 }
 
 // Whoever asks for it, and whatever the board does by itself at the end of a measurement.
@@ -337,6 +380,66 @@ void TestSbgcCalibration::autoTuneFindsAndSavesGains()
     // The found gains hold.
     std::ignore = bench.channel.sleep(2s);
     QVERIFY(std::abs(bench.board().stabilizer().estimate(Axis::Roll)) < 0.5);
+}
+
+void TestSbgcCalibration::autoTuneLowersTheFilter_data()
+{
+    QTest::addColumn<QString>("action");
+    QTest::addColumn<int>("seed");
+    for (int seed = 1; seed <= 3; ++seed) {
+        QTest::addRow("all axes alike, %d", seed) << u"autotune"_s << seed;
+        QTest::addRow("by axis, %d", seed) << u"autotune.by_axis"_s << seed;
+    }
+}
+
+// Where it is asked to, and the filter is in use: lower, and held as well as with the gains alone.
+void TestSbgcCalibration::autoTuneLowersTheFilter()
+{
+    QFETCH(QString, action);
+    QFETCH(int, seed);
+    const auto search = [&](const QString &lpf, QMap<QString, int> &filters) {
+        SimulatorOptions options = withFirmware(2738);
+        options.seed = unsigned(seed);
+        VirtualBoard bench(options);
+        if (!bench.identify())
+            qFatal("no board");
+        bench.board().stabilizer().imu().gyroCorrection = bench.board().stabilizer().imu().gyroBias;
+        for (const QString &axis : {u"roll"_s, u"pitch"_s, u"yaw"_s}) {
+            bench.board().store(u"filter.%1.lpf"_s.arg(axis), 0, 350);
+            bench.board().store(u"filter.%1.enabled"_s.arg(axis), 0, axis == u"yaw"_s ? 0 : 8);
+        }
+        const auto done = bench.device.perform(bench.channel, action,
+                                               argumentsFor(bench.device, action.toUtf8().constData(),
+                                                            {{u"lpf"_s, lpf}, {u"keep"_s, u"off"_s}}));
+        if (!done)
+            qFatal("%s", qPrintable(done.error().detail));
+        std::ignore = bench.channel.sleep(3s);  // back from the last step
+        double squares = 0;
+        constexpr int kLooks = 4000;
+        for (int look = 0; look < kLooks; ++look) {
+            std::ignore = bench.channel.sleep(5ms);
+            squares += std::pow(bench.board().stabilizer().estimate(Axis::Pitch), 2);
+        }
+        for (const QString &axis : {u"roll"_s, u"pitch"_s, u"yaw"_s}) {
+            filters.insert(axis, bench.board().inUse(u"filter.%1.lpf"_s.arg(axis)));
+            if (bench.board().stored(u"filter.%1.lpf"_s.arg(axis), 0) != filters[axis])
+                qFatal("it is in use and not stored");
+            if (done->contains(u"lpf."_s + axis) && done->value(u"lpf."_s + axis).toInt() != filters[axis])
+                qFatal("it tells another one");
+        }
+        return std::sqrt(squares / kLooks);
+    };
+    QMap<QString, int> left;
+    QMap<QString, int> tuned;
+    const double without = search(u"off"_s, left);
+    const double with = search(u"on"_s, tuned);
+    QCOMPARE(left, (QMap<QString, int>{{u"roll"_s, 350}, {u"pitch"_s, 350}, {u"yaw"_s, 350}}));
+    qInfo("roll %d Hz, pitch %d Hz; pitch off by %.3f°, with the filter as it was %.3f°", tuned[u"roll"_s],
+          tuned[u"pitch"_s], with, without);
+    for (const QString &axis : {u"roll"_s, u"pitch"_s})
+        QVERIFY(tuned[axis] >= 10 && tuned[axis] < 350);
+    QCOMPARE(tuned[u"yaw"_s], 350);  // its filter is not in use
+    QVERIFY(with < 1.3 * without);
 }
 
 void TestSbgcCalibration::autoTuneStopsWhenCancelled()

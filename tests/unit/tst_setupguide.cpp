@@ -16,7 +16,9 @@ class TestSetupGuide final : public QObject
 {
     Q_OBJECT
 private slots:
+    void anUnpackedGimbalIsTuned_data();
     void anUnpackedGimbalIsTuned();
+    void setUpItHoldsAsByTheSearchAlone();
     void aUseChangesItsValuesAlone_data();
     void aUseChangesItsValuesAlone();
     void batteryIsAskedFor_data();
@@ -58,9 +60,18 @@ private slots:
     void aCertificateSaysAll();
 };
 
+void TestSetupGuide::anUnpackedGimbalIsTuned_data()
+{
+    QTest::addColumn<unsigned>("seed");
+    // The fourth camera hangs farther off when its motors come on, the sixth is in an unsteadier hand.
+    for (const unsigned seed : {1U, 4U, 6U})
+        QTest::addRow("%u", seed) << seed;
+}
+
 void TestSetupGuide::anUnpackedGimbalIsTuned()
 {
-    SetupBench bench;
+    QFETCH(unsigned, seed);
+    SetupBench bench(SetupBench::unpacked(true, {}, 0, seed));
     QCOMPARE(stepsOf(bench.board.device).size(), kSetupSteps);
     bench.hand(1);
     auto result = bench.run("power");
@@ -107,7 +118,9 @@ void TestSetupGuide::anUnpackedGimbalIsTuned()
     QCOMPARE(bench.stored(u"motor.roll.poles"_s), 14);
     QCOMPARE(bench.stored(u"motor.pitch.invert"_s), 0);
     QVERIFY(bench.board.board().stabilizer().motorsOn());
-    QVERIFY(*result->figure(u"strays.pitch"_s) < 10);
+    // With its own power it is held where it was brought, however far it hung.
+    for (const Axis axis : kAxes)
+        QVERIFY2(*result->figure(setupFigureKey("strays", axis)) < 5, qPrintable(why(result)));
 
     result = bench.run("motor-power");
     QVERIFY2(result && result->state == State::Done, qPrintable(why(result)));
@@ -116,9 +129,11 @@ void TestSetupGuide::anUnpackedGimbalIsTuned()
     result = bench.run("gains");
     QVERIFY2(result && result->remarks.contains(u"gains.better"_s), qPrintable(why(result)));
     QCOMPARE(result->state == State::Poor, result->remarks.contains(u"gains.shakes"_s));
-    // Each axis that has other gains is held better, none worse than a hand differs. One whose new gains
-    // were worse has its own again, and the others keep theirs.
+    // The camera is held better, and no axis worse than a hand differs. One whose new gains were worse has
+    // its own again, and the others keep theirs.
     bool hasOwn = false;
+    double is = 0;
+    double was = 0;
     for (const Axis axis : kAxes) {
         const QString gains = u"pid."_s + QLatin1String(axisKey(axis));
         const auto held
@@ -126,10 +141,13 @@ void TestSetupGuide::anUnpackedGimbalIsTuned()
         QVERIFY(held != result->figures.end() && held->before);
         const bool hasOthers = std::ranges::any_of(
             result->changes, [&gains](const SetupChange &change) { return change.key.startsWith(gains); });
-        QVERIFY2(held->value < (hasOthers ? 1.0 : 1.4) * *held->before, qPrintable(why(result)));
+        QVERIFY2(held->value < 1.4 * *held->before, qPrintable(why(result)));
+        is += held->value * held->value;
+        was += *held->before * *held->before;
         hasOwn |= !hasOthers;
     }
     QCOMPARE(result->remarks.contains(u"gains.axisback"_s), hasOwn);
+    QVERIFY2(std::sqrt(is) < 0.95 * std::sqrt(was), qPrintable(why(result)));
     QVERIFY2(result->figure(u"rises.pitch"_s) > 1.0 && result->figure(u"overshoots.pitch"_s) >= 0.0,
              qPrintable(why(result)));
     // Held as the board's own search holds it, and that is what is stored.
@@ -165,6 +183,61 @@ void TestSetupGuide::anUnpackedGimbalIsTuned()
     QCOMPARE(bench.stored(u"imu.gyro_trust"_s), 170);
     result = bench.run("use", {{u"use"_s, u"drone"_s}});
     QVERIFY(result && result->remarks == QStringList{u"use.same"_s});
+}
+
+// The same gimbal in the same hand: set up all the way, and by the board's own search as soon as its motors
+// hold. What that search finds differs from time to time, so one gimbal proves little. The steps “Range” and
+// “Remote control” turn the camera, and change nothing of how it is held.
+void TestSetupGuide::setUpItHoldsAsByTheSearchAlone()
+{
+    const auto holds = [](unsigned seed, bool isWhole) {
+        SetupBench bench(SetupBench::unpacked(true, {}, 0, seed));
+        const auto walk = [&bench](const char *step, const QMap<QString, QString> &answers = {}) {
+            const auto result = bench.run(step, answers);
+            if (!result)
+                qFatal("%s: %s", step, qPrintable(why(result)));
+        };
+        bench.hand(1);
+        for (const char *step : {"power", "sensors", "gyroscope", "orientation"})
+            walk(step);
+        bench.hand(1);
+        walk("level");
+        bench.world(u"imbalance=5"_s);
+        bench.hand(0);
+        walk("motors");
+        if (isWhole) {
+            walk("motor-power");
+            walk("gains");
+            walk("vibration", {{u"try"_s, u"on"_s}});
+            walk("use", {{u"use"_s, u"tripod"_s}, {u"apply"_s, u"on"_s}});  // the target stays
+        } else if (const auto done = bench.board.device.perform(bench.board.channel, u"autotune"_s,
+                                                                argumentsFor(bench.board.device, "autotune"));
+                   !done) {
+            qFatal("%s", qPrintable(done.error().detail));
+        }
+        std::ignore = bench.board.channel.sleep(10s);
+        constexpr int kLooks = 6000;
+        const Stabilizer &held = bench.board.board().stabilizer();
+        double squares = 0;
+        for (int look = 0; look < kLooks; ++look) {
+            std::ignore = bench.board.channel.sleep(5ms);
+            for (const Axis axis : kAxes)
+                squares += std::pow(held.target(axis) - held.estimate(axis), 2);
+        }
+        return std::sqrt(squares / kLooks);
+    };
+    constexpr int kSeeds = 4;
+    double product = 1;
+    for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+        const double searched = holds(seed, false);
+        const double whole = holds(seed, true);
+        qInfo("seed %u: set up %.3f° RMS, by the board's own search alone %.3f°, ratio %.2f", seed, whole,
+              searched, whole / searched);
+        QVERIFY(whole < 1.5 * searched);
+        product *= whole / searched;
+    }
+    const double mean = std::pow(product, 1.0 / kSeeds);
+    QVERIFY2(mean <= 1.0, qPrintable(QString::number(mean)));
 }
 
 void TestSetupGuide::aUseChangesItsValuesAlone_data()

@@ -21,7 +21,6 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int kColumnWidth = 110;
-constexpr int kSpreadDecimals = 3;
 
 }  // namespace
 
@@ -102,12 +101,11 @@ QString LiveFigures::valueText(const Figure &figure) const
         return u"–"_s;
     const ChannelSpec &spec = device->channels()[std::size_t(figure.channel)];
     const QString unit = *spec.unit ? u' ' + QString::fromUtf8(spec.unit) : QString();
-    if (figure.spec->isSpread) {
-        const auto spread = recentSpread(*store, figure.channel);
-        return spread ? numberText(*spread, kSpreadDecimals) + unit : u"–"_s;
-    }
-    const double value = double(store->latest(figure.channel));
-    return std::isnan(value) ? u"–"_s : channelValueText(spec, value) + unit;
+    const auto value = figure.spec->value(*store, figure.channel);
+    if (!value)
+        return u"–"_s;
+    return (figure.spec->isSpread ? numberText(*value, kSpreadDecimals) : channelValueText(spec, *value))
+        + unit;
 }
 
 void LiveFigures::refresh()

@@ -12,6 +12,8 @@ namespace simplebgc {
 namespace {
 
 constexpr int kAutoPidAxes = AutoPidRoll | AutoPidPitch | AutoPidYaw;
+constexpr int kLowPass = 8;  // of FILTERS_EN
+constexpr int kWidestFilter = 400;  // Hz, of the variable (errata, LPF_FREQ)
 
 }  // namespace
 
@@ -29,12 +31,14 @@ void SimulatedBoard::autoPid(const Frame &frame)
     if (quint8(frame.payload[0]) < kProfileCount)
         loadProfile(quint8(frame.payload[0]));
     const int strength = quint8(frame.payload[2]);
-    startAutoPid(CommandId::AutoPid, flags, {strength, strength, strength});
+    startAutoPid(CommandId::AutoPid, flags, flags & AutoPidTuneLpf ? kAutoPidAxes : 0,
+                 {strength, strength, strength});
 }
 
 /// @param flags of AUTO_PID
+/// @param filters bits of the axes whose low-pass filters are tuned, where they are in use
 /// @param gainVsStability 0 (stable) to 255 (strong), of each axis
-void SimulatedBoard::startAutoPid(CommandId command, int flags,
+void SimulatedBoard::startAutoPid(CommandId command, int flags, int filters,
                                   const std::array<int, kAxisCount> &gainVsStability)
 {
     std::array<bool, kAxisCount> axes{};
@@ -49,6 +53,8 @@ void SimulatedBoard::startAutoPid(CommandId command, int flags,
         start[i] = {gain(u"p"_s), gain(u"i"_s), gain(u"d"_s), 0.0};
         if (axes[i] && !(flags & AutoPidKeepCurrent))
             start[i] = {8, 2, 8, 0.0};
+        if (axes[i] && filters & (1 << i) && inUse(u"filter.%1.enabled"_s.arg(axis)) & kLowPass)
+            start[i].lpf = flags & AutoPidKeepCurrent ? inUse(u"filter.%1.lpf"_s.arg(axis)) : kWidestFilter;
     }
     m_autoPid = std::make_unique<AutoPidSearch>(axes, start, gainVsStability);
     m_autoPidReports = flags & AutoPidReport;
@@ -79,6 +85,9 @@ void SimulatedBoard::updateAutoPid()
                 const ParameterSpec *parameter = spec(u"pid.%1.%2"_s.arg(axis, key));
                 parameter->write(m_ram[parameter->row->block], isLogarithmic() ? parameter->toRaw(raw) : raw);
             }
+            const ParameterSpec *filter = spec(u"filter.%1.lpf"_s.arg(axis));
+            if (result.lpf > 0)
+                filter->write(m_ram[filter->row->block], result.lpf);
         }
         progress.p[i] = inUse(u"pid.%1.p"_s.arg(axis));
         progress.i[i] = inUse(u"pid.%1.i"_s.arg(axis));

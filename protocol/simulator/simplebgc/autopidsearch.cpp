@@ -18,7 +18,10 @@ constexpr double kRingingFloor = 6.0;  // deg/s rms
 constexpr int kSoftP = 20;
 constexpr int kSoftD = 15;
 constexpr double kMaxPForD = 2.0;  // more P than this needs more damping than there is
-constexpr int kLongest = 60;  // iterations
+constexpr int kLowestFilter = 10;  // Hz, of the variable (errata, LPF_FREQ)
+constexpr double kFilterStep = 0.75;
+constexpr double kFilterHarms = 1.1;  // times the tracking error with the filter as it was
+constexpr int kLongest = 80;  // iterations
 
 int grown(int value, double factor)
 {
@@ -137,9 +140,31 @@ void AutoPidSearch::decide(std::size_t axis)
             break;
         }
         result.i = shrunk(result.i, 0.75);
-        state.phase = Phase::Done;
+        state.phase = result.lpf > 0 ? Phase::LowerFilter : Phase::Done;
         break;
+    case Phase::LowerFilter: lowerFilter(axis, rings); break;
     case Phase::Done: break;
+    }
+}
+
+void AutoPidSearch::lowerFilter(std::size_t axis, bool rings)
+{
+    AxisState &state = m_states[axis];
+    AxisResult &result = m_results[axis];
+    if (state.goodFilter == 0) {  // the first look at the gains that were found
+        state.goodFilter = result.lpf;
+        state.best = result.trackingError * kFilterHarms;
+    }
+    const bool isWorse = rings || result.trackingError > state.best;
+    if (isInDoubt(state, isWorse))
+        return;
+    if (!isWorse) {
+        state.goodFilter = result.lpf;
+        result.lpf = std::max(kLowestFilter, int(std::lround(result.lpf * kFilterStep)));
+    }
+    if (isWorse || result.lpf == state.goodFilter) {
+        result.lpf = state.goodFilter;
+        state.phase = Phase::Done;
     }
 }
 

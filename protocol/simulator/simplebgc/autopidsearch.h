@@ -7,8 +7,8 @@
 namespace simplebgc {
 
 /// Searches for gains on the running plant, as the firmware's automatic tuning does: moves the target, raises
-/// D until the structure rings, steps back, raises P until it overshoots, steps back, then I. All selected
-/// axes at once.
+/// D until the structure rings, steps back, raises P until it overshoots, steps back, then I; last it lowers
+/// the low-pass filter as far as the target is still followed. All selected axes at once.
 class AutoPidSearch
 {
 public:
@@ -18,6 +18,7 @@ public:
         int i = 0;
         int d = 0;
         double trackingError = 0;  ///< rms, degrees
+        int lpf = 0;  ///< Hz; 0: the low-pass filter is left as it is
     };
 
     /// @param gainVsStability 0 (stable) to 255 (strong), of each axis
@@ -34,7 +35,7 @@ public:
     [[nodiscard]] bool isSelected(Axis axis) const { return m_selected[static_cast<std::size_t>(axis)]; }
 
 private:
-    enum class Phase { Settle, RaiseD, Calm, RaiseP, RaiseI, Done };
+    enum class Phase { Settle, RaiseD, Calm, RaiseP, RaiseI, LowerFilter, Done };
     struct AxisState
     {
         Phase phase = Phase::Done;
@@ -44,9 +45,11 @@ private:
         int samples = 0;
         double best = 0;
         double baseline = 0;  // ringing of the first, soft gains
+        int goodFilter = 0;  // the lowest so far that did not harm, Hz
         bool isDoubted = false;
     };
     void decide(std::size_t axis);
+    void lowerFilter(std::size_t axis, bool rings);
     static bool isInDoubt(AxisState &state, bool isWorse);
 
     std::array<bool, kAxisCount> m_selected;

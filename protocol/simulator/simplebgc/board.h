@@ -275,7 +275,8 @@ private:
     /// @param refusal code of ERROR; 0: it went well
     void sendEnd(CommandId command, int version, int refusal);
     void autoPid(const Frame &frame);
-    void startAutoPid(CommandId command, int flags, const std::array<int, kAxisCount> &gainVsStability);
+    void startAutoPid(CommandId command, int flags, int filters,
+                      const std::array<int, kAxisCount> &gainVsStability);
     void updateAutoPid();
 
     // commands that have grown (generations.cpp)

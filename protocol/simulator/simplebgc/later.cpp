@@ -152,7 +152,7 @@ QByteArray SimulatedBoard::referenceInfo() const
     return ByteWriter().u8(kWorks).u8(isFrameSensor() ? kWorks : 0).u8(2).zeros(23).take();
 }
 
-// The frequencies, the positions and the filters are kept, and the search takes no notice of them.
+// The frequencies, the positions and the notches are kept, and the search takes no notice of them.
 void SimulatedBoard::tune2(const Frame &frame)
 {
     const int action = frame.payload.isEmpty() ? 0 : quint8(frame.payload[0]);
@@ -178,10 +178,12 @@ void SimulatedBoard::tune2(const Frame &frame)
         return;
     }
     int search = 0;  // flags of AUTO_PID
+    int filters = 0;
     std::array<int, kAxisCount> strength{};
     for (std::size_t i = 0; i < kAxisCount; ++i) {
         const qsizetype at = 1 + qsizetype(i) * kAxisSettings;
         search |= settings[at] & 1 ? 1 << i : 0;
+        filters |= settings[at] & 2 ? 1 << i : 0;
         strength[i] = quint8(settings[at + 1]);
     }
     ByteReader reader(settings);
@@ -201,7 +203,7 @@ void SimulatedBoard::tune2(const Frame &frame)
     confirm(frame);
     if (!starts)
         return;
-    startAutoPid(CommandId::AutoPid2, search | (flags & 1 ? AutoPidKeepCurrent : 0), strength);
+    startAutoPid(CommandId::AutoPid2, search | (flags & 1 ? AutoPidKeepCurrent : 0), filters, strength);
     m_autoPidStores = flags & 16;
 }
 

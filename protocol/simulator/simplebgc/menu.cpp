@@ -254,7 +254,7 @@ int SimulatedBoard::tuneAll(int /*argument*/)
 {
     if (isBusy())
         return kWrongState;
-    startAutoPid(CommandId::AutoPid, kAllAxes | AutoPidKeepCurrent,
+    startAutoPid(CommandId::AutoPid, kAllAxes | AutoPidKeepCurrent, 0,
                  {kMiddleStability, kMiddleStability, kMiddleStability});
     return 0;
 }
