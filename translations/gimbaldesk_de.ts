@@ -837,6 +837,14 @@
         <source>Disarmed. It does not tell what its motors do: see that they stand.</source>
         <translation>Entschärft. Was die Motoren tun, meldet sie nicht: nachsehen, ob sie stehen.</translation>
     </message>
+    <message>
+        <source>Not told yet</source>
+        <translation>Noch nicht gemeldet</translation>
+    </message>
+    <message>
+        <source>Armed or disarmed from here, it has not said so yet: take it for armed.</source>
+        <translation>Von hier geschärft oder entschärft, was sie noch nicht gemeldet hat: für scharf halten.</translation>
+    </message>
 </context>
 <context>
     <name>AttitudeView</name>
@@ -2075,6 +2083,62 @@
     <message>
         <source>Write the calibrations of a copy</source>
         <translation>Die Kalibrierungen einer Kopie schreiben</translation>
+    </message>
+    <message>
+        <source>Sensor that the board shows and calibrates</source>
+        <translation>Sensor, den das Board zeigt und kalibriert</translation>
+    </message>
+    <message>
+        <source>Sensor: main IMU</source>
+        <translation>Sensor: Haupt-IMU</translation>
+    </message>
+    <message>
+        <source>Sensor: frame IMU</source>
+        <translation>Sensor: Rahmen-IMU</translation>
+    </message>
+    <message>
+        <source>How the simulated camera is turned</source>
+        <translation>Wie die simulierte Kamera gedreht wird</translation>
+    </message>
+    <message>
+        <source>not turned, unless the page asks for it</source>
+        <translation>nicht gedreht, solange die Seite es nicht verlangt</translation>
+    </message>
+    <message>
+        <source>turned to all sides</source>
+        <translation>nach allen Seiten gedreht</translation>
+    </message>
+    <message>
+        <source>turned about its upright axis only</source>
+        <translation>nur um ihre Hochachse gedreht</translation>
+    </message>
+    <message>
+        <source>Magnetometer</source>
+        <translation>Magnetometer</translation>
+    </message>
+    <message>
+        <source>Finds what the iron beside it adds to the earth&apos;s field. Do it when the camera does not keep its heading, and after anything made of iron was mounted. Takes about a minute, with the camera turned in your hands to all sides.</source>
+        <translation>Findet, was das Eisen daneben zum Feld der Erde hinzufügt. Nötig, wenn die Kamera ihren Kurs nicht hält, und nachdem etwas aus Eisen angebaut wurde. Dauert etwa eine Minute, in der Sie die Kamera in den Händen nach allen Seiten drehen.</translation>
+    </message>
+    <message>
+        <source>Magnetometer…</source>
+        <translation>Magnetometer…</translation>
+    </message>
+    <message>
+        <source>The board shows another sensor now. The calibration begins anew.</source>
+        <translation>Das Board zeigt jetzt einen anderen Sensor. Die Kalibrierung beginnt von vorn.</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>frame IMU</source>
+        <translation>Rahmen-IMU</translation>
+    </message>
+    <message>
+        <source>main IMU</source>
+        <translation>Haupt-IMU</translation>
     </message>
 </context>
 <context>
@@ -4249,10 +4313,6 @@
         <translation>das Magnetometer wiederholt dieselben Zahlen: sie sind nicht gemessen</translation>
     </message>
     <message>
-        <source>the magnetometer has seen %1 of 8 directions: turn the camera over while it is calibrated</source>
-        <translation>das Magnetometer hat %1 von 8 Richtungen gesehen: die Kamera beim Kalibrieren in alle Richtungen drehen</translation>
-    </message>
-    <message>
         <source>the heading is off by %1°, and was off by %2° before</source>
         <translation>der Kurs liegt um %1° daneben, vorher um %2°</translation>
     </message>
@@ -4271,10 +4331,6 @@
     <message>
         <source>it had begun, and what is stored has changed</source>
         <translation>es hatte begonnen, und das Gespeicherte hat sich geändert</translation>
-    </message>
-    <message>
-        <source>%1 of 8 directions were seen</source>
-        <translation>%1 von 8 Richtungen wurden gesehen</translation>
     </message>
     <message>
         <source>no stream %1</source>
@@ -4943,6 +4999,18 @@
     <message>
         <source>no command of it was told: whether it runs is not known</source>
         <translation>es meldete keinen Befehl: ob es läuft, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the board shows the sensor of its frame, and this step is about the camera&apos;s: select that one first</source>
+        <translation>das Board zeigt den Sensor seines Rahmens, und in diesem Schritt geht es um den der Kamera: zuerst diesen auswählen</translation>
+    </message>
+    <message>
+        <source>the magnetometer has seen %1 of 26 directions: turn the camera over while it is calibrated</source>
+        <translation>das Magnetometer hat %1 von 26 Richtungen gesehen: die Kamera beim Kalibrieren in alle Richtungen drehen</translation>
+    </message>
+    <message>
+        <source>%1 of 26 directions were seen</source>
+        <translation>%1 von 26 Richtungen wurden gesehen</translation>
     </message>
 </context>
 <context>
@@ -5806,10 +5874,6 @@
         <translation>Neigen Sie den Rahmen von Hand nach allen Seiten</translation>
     </message>
     <message>
-        <source>Turn the camera in all directions: %1 of 8 are seen</source>
-        <translation>Drehen Sie die Kamera in alle Richtungen: %1 von 8 sind gesehen</translation>
-    </message>
-    <message>
         <source>Take your hands off the camera, keep them beneath it, and tip it lightly</source>
         <translation>Nehmen Sie die Hände von der Kamera, halten Sie sie darunter, und tippen Sie die Kamera leicht an</translation>
     </message>
@@ -5913,6 +5977,10 @@
         <source>Waiting for events</source>
         <translation>Warten auf Ereignisse</translation>
     </message>
+    <message>
+        <source>Turn the camera in all directions: %1 of 26 are seen</source>
+        <translation>Drehen Sie die Kamera in alle Richtungen: %1 von 26 sind gesehen</translation>
+    </message>
 </context>
 <context>
     <name>EscCard</name>
@@ -5982,6 +6050,33 @@
     <message>
         <source>Faces</source>
         <translation>Flächen</translation>
+    </message>
+</context>
+<context>
+    <name>FieldSphereView</name>
+    <message>
+        <source>Sphere of the magnetic field</source>
+        <translation>Kugel des Magnetfelds</translation>
+    </message>
+    <message>
+        <source>%1 of %2 directions are seen.</source>
+        <translation>%1 von %2 Richtungen sind gesehen.</translation>
+    </message>
+    <message>
+        <source>no sphere yet</source>
+        <translation>noch keine Kugel</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>gesehen</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
     </message>
 </context>
 <context>
@@ -6809,10 +6904,6 @@
         <translation>der Prozess, der sie stoppt, wenn dieses Programm abbricht (gimbalguard, im Ordner dieses Programms), ist nicht gestartet oder hat geendet.</translation>
     </message>
     <message>
-        <source>it was armed from here, and has not obeyed the disarming.</source>
-        <translation>sie wurde von hier scharf geschaltet und hat das Entschärfen nicht befolgt.</translation>
-    </message>
-    <message>
         <source>its battery is below the limit of the alarm.</source>
         <translation>ihr Akku ist unter der Grenze des Alarms.</translation>
     </message>
@@ -6835,6 +6926,10 @@
     <message>
         <source>Leave it off</source>
         <translation>Ausgeschaltet lassen</translation>
+    </message>
+    <message>
+        <source>it was armed from here, and does not say that it is disarmed.</source>
+        <translation>sie wurde von hier scharf geschaltet und meldet nicht, dass sie entschärft ist.</translation>
     </message>
 </context>
 <context>
@@ -7970,6 +8065,141 @@
     <message>
         <source>What the board tells now</source>
         <translation>Was das Board jetzt meldet</translation>
+    </message>
+</context>
+<context>
+    <name>MagnetometerCard</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Calibrate the magnetometer</source>
+        <translation>Magnetometer kalibrieren</translation>
+    </message>
+    <message>
+        <source>Turn the camera by hand to see what iron does to the field, or calibrate at once. Keep away from iron, cables and motors.</source>
+        <translation>Drehen Sie die Kamera von Hand, um zu sehen, was Eisen mit dem Feld macht, oder kalibrieren Sie gleich. Bleiben Sie fern von Eisen, Kabeln und Motoren.</translation>
+    </message>
+    <message>
+        <source>Turn the camera slowly until the cross has been at every empty ring. The board ends by itself.</source>
+        <translation>Drehen Sie die Kamera langsam, bis das Kreuz an jedem leeren Ring war. Das Board endet von selbst.</translation>
+    </message>
+    <message>
+        <source>No board is connected.</source>
+        <translation>Kein Board ist verbunden.</translation>
+    </message>
+    <message>
+        <source>%1. Waiting until the sensor sends live data again.</source>
+        <translation>%1. Gewartet wird, bis der Sensor wieder Live-Daten sendet.</translation>
+    </message>
+    <message>
+        <source>The board has sent no measurement of its magnetometer so far. Without any, nobody sees whether a calibration helps, and none is begun.</source>
+        <translation>Das Board hat bisher keine Messung seines Magnetometers gesendet. Ohne eine sieht niemand, ob eine Kalibrierung hilft, und es wird keine begonnen.</translation>
+    </message>
+    <message>
+        <source>No sphere shows yet: turn the camera about another axis as well.</source>
+        <translation>Noch zeigt sich keine Kugel: Drehen Sie die Kamera auch um eine andere Achse.</translation>
+    </message>
+    <message>
+        <source>✓ All %1 directions are seen.</source>
+        <translation>✓ Alle %1 Richtungen sind gesehen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 directions are seen. The field has not yet come from: %3.</source>
+        <translation>%1 von %2 Richtungen sind gesehen. Noch nicht gekommen ist das Feld aus: %3.</translation>
+    </message>
+    <message>
+        <source>The calibration of the magnetometer was cancelled.</source>
+        <translation>Die Kalibrierung des Magnetometers wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The board ends it by itself, with what it has seen by then.</source>
+        <translation>Das Board beendet sie von selbst, mit dem, was es bis dahin gesehen hat.</translation>
+    </message>
+    <message>
+        <source>Calibrate again, and turn the camera to all sides.</source>
+        <translation>Kalibrieren Sie noch einmal, und drehen Sie die Kamera nach allen Seiten.</translation>
+    </message>
+    <message>
+        <source>The points are what the sensor itself measures: a calibration moves none of them. Whether it helped, the error of the heading tells.</source>
+        <translation>Die Punkte sind, was der Sensor selbst misst: Keine Kalibrierung verschiebt sie. Ob sie geholfen hat, sagt der Kursfehler.</translation>
+    </message>
+    <message>
+        <source>Magnetometer: poor, the heading is off by %1°. Repeat it away from iron.</source>
+        <translation>Magnetometer: schlecht, der Kurs liegt um %1° daneben. Wiederholen Sie es fern von Eisen.</translation>
+    </message>
+    <message>
+        <source>Magnetometer: calibrated, but its points did not come; the heading alone judges it.</source>
+        <translation>Magnetometer: kalibriert, aber seine Punkte kamen nicht an; nur der Kurs beurteilt es.</translation>
+    </message>
+    <message>
+        <source>Magnetometer: poor, the points lie on no sphere. Something made of iron moved, or the field is not the earth&apos;s alone.</source>
+        <translation>Magnetometer: schlecht, die Punkte liegen auf keiner Kugel. Etwas aus Eisen hat sich bewegt, oder das Feld ist nicht nur das der Erde.</translation>
+    </message>
+    <message>
+        <source>Magnetometer: good</source>
+        <translation>Magnetometer: gut</translation>
+    </message>
+    <message>
+        <source>Magnetometer: usable</source>
+        <translation>Magnetometer: brauchbar</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>Error of the heading</source>
+        <translation>Kursfehler</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Directions seen</source>
+        <translation>Gesehene Richtungen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Field (radius)</source>
+        <translation>Feld (Radius)</translation>
+    </message>
+    <message>
+        <source>Centre, %1</source>
+        <translation>Mittelpunkt, %1</translation>
+    </message>
+    <message>
+        <source>Shifted by iron</source>
+        <translation>Durch Eisen verschoben</translation>
+    </message>
+    <message>
+        <source>Stretched by iron</source>
+        <translation>Durch Eisen gestreckt</translation>
+    </message>
+    <message>
+        <source>Off the sphere</source>
+        <translation>Neben der Kugel</translation>
     </message>
 </context>
 <context>
@@ -11901,6 +12131,14 @@ Spitze %2°</translation>
     <message>
         <source>weak link</source>
         <translation>schwache Verbindung</translation>
+    </message>
+    <message>
+        <source>Rates and accelerations on all pages are those of this sensor, and calibrations are about it, until another one is selected or the board restarts.</source>
+        <translation>Drehraten und Beschleunigungen auf allen Seiten sind die dieses Sensors, und Kalibrierungen gelten ihm, bis ein anderer ausgewählt wird oder das Board neu startet.</translation>
+    </message>
+    <message>
+        <source>sensor shown: %1</source>
+        <translation>gezeigter Sensor: %1</translation>
     </message>
 </context>
 <context>
