@@ -83,7 +83,8 @@ Notifications::Notifications(DeviceClient &client, const ConfigurationModel &con
         report({tr("Control was released because the program did not refresh it in time."),
                 tr("The board was told to stop."),
                 tr("Arm again when the computer is less busy."),
-                {}});
+                {}},
+               flies() ? Concern::Stopped : Concern::None);
     });
 }
 

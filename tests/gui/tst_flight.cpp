@@ -23,6 +23,7 @@
 #include "tests/support/windowrig.h"
 #include "widgets/forms/numberbox.h"
 #include "widgets/forms/panel.h"
+#include "widgets/views/armedstate.h"
 #include "widgets/views/attitudeview.h"
 #include "widgets/views/controlpad.h"
 #include "widgets/views/motordiagram.h"
@@ -117,6 +118,8 @@ private slots:
     void sessionIsOpenedByTheOperatorsWord();
     void pressIsRefusedMeanwhile();
     void whatItTellsKeepsItDisarmed();
+    void lateNewsAreNoDisarming();
+    void unknownIsDisarmedAndNotArmed();
     void everythingEndsIt_data();
     void everythingEndsIt();
     void sticksReachTheDrone();
@@ -516,6 +519,52 @@ void TestFlight::whatItTellsKeepsItDisarmed()
     QVERIFY(isSoon(m_rig->client().roles().calibrated, 0));
     QVERIFY2(isRefused(u"it is not calibrated"_s), qPrintable(page().stateText()));
     m_rig->client().disconnectFromBoard();
+}
+
+// What comes late says nothing yet of what was ordered: until then it is shown as neither disarmed nor safe.
+void TestFlight::lateNewsAreNoDisarming()
+{
+    page().open(true);
+    QTRY_VERIFY_WITH_TIMEOUT(page().stateText().contains(u"Ready"_s), kPatience);
+    const auto *tile = page().findChild<ArmedState *>();
+    QTRY_COMPARE(tile->state(), ArmedState::State::Disarmed);
+    QVERIFY(page().armButton()->isEnabled() && !page().disarmButton()->isEnabled());
+    QTest::mousePress(page().armButton(), Qt::LeftButton);
+    bool wasAsked = false;
+    bool wasCalm = false;
+    const auto isOver = [&] {
+        if (page().session().phase() == Phase::Asked) {
+            wasAsked = true;
+            wasCalm |= ArmedState::isDisarmed(tile->state()) || page().armButton()->isEnabled()
+                || !page().disarmButton()->isEnabled() || m_rig->workspace().motorsRunning() == false;
+        }
+        return page().session().phase() == Phase::Armed || page().session().phase() == Phase::Open;
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(page().session().phase(), Phase::Holding, kPatience);
+    m_rig->workspace().changeWorld(u"late=400"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(isOver(), kPatience);
+    QTest::mouseRelease(page().armButton(), Qt::LeftButton);
+    QVERIFY(wasAsked && !wasCalm);
+    page().disarmButton()->click();
+    m_rig->workspace().changeWorld(u"late=0"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(tile->state(), ArmedState::State::Disarmed, kPatience);
+    QTRY_VERIFY(!page().disarmButton()->isEnabled());
+}
+
+// Where nothing is told, the key that disarms works, and the one that arms does not.
+void TestFlight::unknownIsDisarmedAndNotArmed()
+{
+    page().open(true);
+    QTRY_VERIFY_WITH_TIMEOUT(page().armButton()->isEnabled(), kPatience);
+    m_rig->workspace().changeWorld(u"replug=2"_s);
+    m_rig->workspace().changeWorld(u"unplug=0"_s);
+    const auto *tile = page().findChild<ArmedState *>();
+    bool isRight = false;
+    QTRY_VERIFY_WITH_TIMEOUT((isRight |= tile->state() == ArmedState::State::Unknown
+                                  && !page().armButton()->isEnabled() && page().disarmButton()->isEnabled()),
+                             kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && tile->state() == ArmedState::State::Disarmed,
+                             kPatience);
 }
 
 void TestFlight::everythingEndsIt_data()

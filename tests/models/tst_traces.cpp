@@ -59,6 +59,7 @@ private slots:
     void meterSaysWhatEachSampleSays();
     void meterFollowsRetention();
     void statisticsAroundTheMean();
+    void anglesGoRound();
     void scaleFollowsWithHysteresis();
     void scaleStandsStillWhereItWasPut();
     void marksAreInOrderAndFound();
@@ -133,6 +134,19 @@ void TestTraces::statisticsAroundTheMean()
     QVERIFY(std::abs(strays.rms - std::sqrt(1.5)) < 1e-9);
     QVERIFY(
         std::isnan(spanStatistics(*store, 0, -1, 5.0, 6.0).aroundMean().rms));  // nothing is not stillness
+}
+
+// Whoever turns from 180 to -180 degrees has hardly moved, and the way to a target is the shorter one.
+void TestTraces::anglesGoRound()
+{
+    auto store = std::make_shared<TelemetryStore>(2);
+    auto group = store->defineGroup({0, 1}, 1.0 / kRate);
+    const std::array<std::array<float, 2>, 4> values{{{179, -179}, {-179, -179}, {-178, 180}, {178, 180}}};
+    for (std::size_t i = 0; i < values.size(); ++i)
+        store->append(*group, store->origin() + durationFromSeconds(double(i) / kRate), std::span(values[i]));
+    QCOMPARE(spanStatistics(*store, 0, -1, -1.0, 1.0, true).aroundMean().peak, 2.0);
+    QCOMPARE(spanStatistics(*store, 0, 1, -1.0, 1.0, true).peak, 2.0);
+    QVERIFY(spanStatistics(*store, 0, -1, -1.0, 1.0).aroundMean().peak > 100);
 }
 
 void TestTraces::scaleFollowsWithHysteresis()

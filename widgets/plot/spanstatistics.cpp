@@ -21,9 +21,11 @@ SpanStatistics SpanStatistics::aroundMean() const
     return result;
 }
 
-SpanStatistics spanStatistics(const TelemetryStore &store, int channel, int minus, double from, double to)
+SpanStatistics spanStatistics(const TelemetryStore &store, int channel, int minus, double from, double to,
+                              bool isAngle)
 {
     SpanStatistics result;
+    double last = 0;  // a deviation begins at its shorter way
     double sum = 0;
     double squares = 0;
     for (TraceSource &source : TraceSource::find(store, channel, minus)) {
@@ -31,9 +33,12 @@ SpanStatistics spanStatistics(const TelemetryStore &store, int channel, int minu
         for (std::size_t row = source.track.rowAt(from); row < source.end(); ++row) {
             if (source.track.time(row) > to)
                 break;
-            const double value = double(source.value(row));
+            double value = double(source.value(row));
             if (std::isnan(value))
                 continue;
+            if (isAngle && (minus >= 0 || result.samples > 0))
+                value = last + std::remainder(value - last, 360.0);
+            last = value;
             sum += value;
             squares += value * value;
             result.min = result.samples == 0 ? value : std::min(result.min, value);

@@ -18,9 +18,10 @@ struct SpanStatistics
     [[nodiscard]] SpanStatistics aroundMean() const;
 };
 
-/// @param minus channel to subtract, -1 = none; times in seconds since the store's origin
+/// @param minus channel to subtract, -1 = none; times in seconds since the store's origin; @param isAngle in
+/// degrees: whoever turns from 180 to -180 has hardly moved
 [[nodiscard]] SpanStatistics spanStatistics(const TelemetryStore &store, int channel, int minus, double from,
-                                            double to);
+                                            double to, bool isAngle = false);
 
 /// Value of the newest sample at or before that time and not more than a gap older; NaN without one.
 [[nodiscard]] double valueAt(const TelemetryStore &store, int channel, int minus, double time);

@@ -419,7 +419,8 @@ void CameraPage::onRecordingEnded(const VideoRecordingState &state)
             workspace().notifications().report(*state.error, Concern::Saving);
         else
             workspace().notifications().notify(
-                tr("Nothing was recorded: no frame came that decoding can begin with."), Notice::Attention);
+                tr("Nothing was recorded: no frame came that decoding can begin with."), Notice::Attention,
+                Concern::Saving);
     } else if (state.error) {
         workspace().notifications().report(*state.error, Concern::Saving);
     } else {

@@ -400,7 +400,7 @@ std::array<double, kAxisCount> AutoTunePage::errors() const
         const bool told = roles.target[axis] >= 0;
         SpanStatistics span
             = spanStatistics(*store, told ? roles.target[axis] : roles.angle[axis],
-                             told ? roles.angle[axis] : -1, store->now() - kJudged, store->now());
+                             told ? roles.angle[axis] : -1, store->now() - kJudged, store->now(), true);
         errors[axis] = told ? span.rms : span.aroundMean().rms;
     }
     return errors;

@@ -138,7 +138,7 @@ void ConsolePage::send()
     }
     const auto command = client.device()->inspector()->parseCommand(m_input->text());
     if (!command) {
-        workspace().notifications().report(command.error());
+        workspace().notifications().report(command.error(), Concern::Entry);
         return;
     }
     if (command->risk != ActionRisk::Safe && !m_allow->isChecked()) {
@@ -146,9 +146,10 @@ void ConsolePage::send()
         text.what = tr("%1 was not sent.").arg(command->name);
         text.meaning = tr("It can move motors or change settings.");
         text.cure = tr("Tick “Allow commands that change something” to send it all the same.");
-        workspace().notifications().report(text);
+        workspace().notifications().report(text, Concern::Entry);
         return;
     }
+    workspace().notifications().settle(Concern::Entry);
     const RestartNotice *notice = client.device()->restartNotice();
     const auto goOn = [this, command = *command] { sendNow(command); };
     if (notice && notice->ordersReset(command->bytes))

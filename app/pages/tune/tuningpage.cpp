@@ -472,7 +472,7 @@ void TuningPage::updateFigures()
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         const bool told = roles.target[axis] >= 0;
         SpanStatistics span = spanStatistics(*store, told ? roles.target[axis] : roles.angle[axis],
-                                             told ? roles.angle[axis] : -1, now - kFigureSpan, now);
+                                             told ? roles.angle[axis] : -1, now - kFigureSpan, now, true);
         if (!told)
             span = span.aroundMean();  // without a target, the deviation from the mean
         m_now[axis] = {span.rms, span.peak};
