@@ -125,29 +125,46 @@ RecordedAnswers::RecordedAnswers(const Recording &recording)
     }
 }
 
+// Of a question that was asked again because its answer was late, only the first is answered, and what
+// follows the last belongs to another one. Packets begin with what they answer: that tells.
 QList<QByteArray> RecordedAnswers::find(const QByteArray &request, qint64 at) const
 {
-    const auto found = m_requests.constFind(request);
-    if (found != m_requests.constEnd()) {
-        const auto isBefore = [&](std::size_t piece) { return m_recording.pieces[piece].at <= at; };
-        const auto later = std::partition_point(found->begin(), found->end(), isBefore);
-        for (auto each = later; each != found->begin();) {
-            if (const QList<QByteArray> answer = answerBehind(m_recording.pieces, *--each); !answer.isEmpty())
-                return answer;
+    QList<QByteArray> best;
+    qsizetype likeness = -1;
+    // Returns whether there can be no better one.
+    const auto take = [&](const std::vector<RecordedPiece> &pieces, std::size_t asked) {
+        const QList<QByteArray> answer = answerBehind(pieces, asked);
+        if (answer.isEmpty())
+            return false;
+        for (const QByteArray &bytes : answer) {
+            const auto same = std::mismatch(bytes.begin(), bytes.end(), request.begin(), request.end()).first;
+            if (const qsizetype like = same - bytes.begin(); like > likeness) {
+                likeness = like;
+                best = answer;
+            }
         }
-        for (auto each = later; each != found->end(); ++each) {
-            if (const QList<QByteArray> answer = answerBehind(m_recording.pieces, *each); !answer.isEmpty())
-                return answer;
-        }
+        return !m_recording.isPacketBased() || likeness == request.size();
+    };
+    const std::vector<std::size_t> found = m_requests.value(request);
+    const auto isBefore = [&](std::size_t piece) { return m_recording.pieces[piece].at <= at; };
+    const auto later = std::partition_point(found.begin(), found.end(), isBefore);
+    for (auto each = later; each != found.begin();) {
+        if (take(m_recording.pieces, *--each))
+            return best;
     }
+    for (auto each = later; each != found.end(); ++each) {
+        if (take(m_recording.pieces, *each))
+            return best;
+    }
+    if (!best.isEmpty())
+        return best;
     const auto &opening = m_recording.opening;
     for (std::size_t i = 0; i < opening.size(); ++i) {
-        if (opening[i].kind != RecordedPiece::Kind::Sent || opening[i].bytes != request)
-            continue;
-        if (const QList<QByteArray> answer = answerBehind(opening, i); !answer.isEmpty())
-            return answer;
+        const bool isAsked = opening[i].kind == RecordedPiece::Kind::Sent && opening[i].bytes == request;
+        if (isAsked && take(opening, i))
+            break;
     }
-    return {};
+    return best;
 }
 
 // In a network heartbeats are sent between a request and its answer, and their answers, which repeat them,

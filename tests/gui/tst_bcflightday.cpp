@@ -498,7 +498,9 @@ bool TestBcflightDay::arm()
     auto &page = go<FlightPage>();
     // A computer that is too busy to send in time does not arm it.
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
-        if (!QTest::qWaitFor([&] { return page.stateText().contains(u"Ready"_s); }, kPatience))
+        const auto isReady
+            = [&page] { return page.stateText().contains(u"Ready"_s) && page.armButton()->isEnabled(); };
+        if (!QTest::qWaitFor(isReady, kPatience))
             break;
         m_pads.press(kArmButton, true);
         bool wasHeld = false;

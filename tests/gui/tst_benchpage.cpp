@@ -562,7 +562,7 @@ void TestBenchPage::controllersAreCalibratedUntilTheRedButton()
     QVERIFY(stopped.first().first().toBool());
     QTRY_VERIFY_WITH_TIMEOUT(!bench().isUnderWay(), kPatience);
     QCOMPARE(card->phase(), -1);
-    QCOMPARE(bench().deafText(), QString());
+    QTRY_COMPARE(bench().deafText(), QString());
     QTRY_COMPARE(bench().motors()->outputText(1), u"stands"_s);
     QVERIFY2(told.join(u' ').contains(u"You stopped “Calibrate motor controllers”"_s),
              qPrintable(told.join(u' ')));

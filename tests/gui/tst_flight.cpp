@@ -171,6 +171,10 @@ private:
         return std::any_of(labels.begin(), labels.end(),
                            [&words](const QLabel *label) { return label->text().contains(words); });
     }
+    [[nodiscard]] bool isReady()
+    {
+        return page().stateText().contains(u"Ready"_s) && page().armButton()->isEnabled();
+    }
     bool calibrate();
     bool arm(bool held = true);
     /// Connects to another drone, calibrates and arms it, and gives it throttle.
@@ -235,7 +239,7 @@ bool TestFlight::arm(bool held)
     // A computer that is too busy to send in time does not arm it.
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         page().open(held);
-        if (!QTest::qWaitFor([&] { return page().stateText().contains(u"Ready"_s); }, kPatience))
+        if (!QTest::qWaitFor([this] { return isReady(); }, kPatience))
             break;
         QTest::mousePress(page().armButton(), Qt::LeftButton);
         const auto isDecided = [this] {
@@ -477,7 +481,7 @@ void TestFlight::post(const QByteArray &packet)
 void TestFlight::pressIsRefusedMeanwhile()
 {
     page().open(true);
-    QTRY_VERIFY_WITH_TIMEOUT(page().stateText().contains(u"Ready"_s), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(isReady(), kPatience);
     pose(1);
     const auto done = m_rig->workspace().perform(u"calibrate.gyro"_s, {});
     QVERIFY2(isRefused(u"at work"_s), qPrintable(page().stateText()));
@@ -507,7 +511,7 @@ void TestFlight::pressIsRefusedMeanwhile()
 void TestFlight::whatItTellsKeepsItDisarmed()
 {
     page().open(true);
-    QTRY_VERIFY_WITH_TIMEOUT(page().stateText().contains(u"Ready"_s), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(isReady(), kPatience);
     pose(1);
     post(encode(bcflight::Message::Calibrate, bcflight::bigU32(0) + bcflight::bigF32(0)));
     QVERIFY(isSoon(m_rig->client().roles().calibrating, 1));
@@ -525,7 +529,7 @@ void TestFlight::whatItTellsKeepsItDisarmed()
 void TestFlight::lateNewsAreNoDisarming()
 {
     page().open(true);
-    QTRY_VERIFY_WITH_TIMEOUT(page().stateText().contains(u"Ready"_s), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(isReady(), kPatience);
     const auto *tile = page().findChild<ArmedState *>();
     QTRY_COMPARE(tile->state(), ArmedState::State::Disarmed);
     QVERIFY(page().armButton()->isEnabled() && !page().disarmButton()->isEnabled());
@@ -776,7 +780,7 @@ void TestFlight::heldSpaceBarArms()
     bool isArmed = false;
     for (int attempt = 0; attempt < kAttempts && !isArmed; ++attempt) {
         page().open(true);
-        QVERIFY(QTest::qWaitFor([&] { return page().stateText().contains(u"Ready"_s); }, kPatience));
+        QVERIFY(QTest::qWaitFor([this] { return isReady(); }, kPatience));
         page().armButton()->setFocus();
         QTest::keyPress(page().armButton(), Qt::Key_Space);
         QCOMPARE(page().session().phase(), Phase::Holding);

@@ -582,6 +582,10 @@ void TestMotion::autoTuneThatHarmsIsTakenBack()
 {
     QVERIFY(m_rig->open());
     QVERIFY(alive());
+    // Judged by the page: the supervisor would stop the motors first.
+    SupervisorRules rules = m_rig->settings().supervisorRules();
+    rules.actions.fill(AlarmAction::Warn);
+    m_rig->settings().setSupervisorRules(rules);
     AutoTunePage *page = autoTune();
     const int before = liveP();
     QSignalSpy problems(&workspace().notifications(), &Notifications::problem);

@@ -89,7 +89,7 @@ void TestStorm::onlyFittingPagesAreOffered()
     m_rig->window().showPage(u"scripts"_s);
     QVERIFY(m_rig->open());
     QTRY_VERIFY(pages.isOffered(u"calibration"_s) && !pages.isOffered(u"scripts"_s));
-    QCOMPARE(pages.pageOfNumber(8), u"tuning"_s);
+    QCOMPARE(pages.pageOfNumber(9), u"tuning"_s);
     QCOMPARE(pages.pageOfNumber(99), QString());
     QCOMPARE(pages.currentPage(), u"dashboard"_s);  // the page that was shown is gone
 #endif

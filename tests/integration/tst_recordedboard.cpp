@@ -329,6 +329,12 @@ void TestRecordedBoard::lostPacketsHideNoAnswer()
     QVERIFY(RecordedAnswers(recording).find(ping, 0).contains(ping));
     QVERIFY(RecordedAnswers(recording).find(status, 0).contains(state));
     QVERIFY(RecordedAnswers(recording).find(QByteArray("\x89"), 0).isEmpty());
+    // Asked once more, while the answer was under way.
+    add(Kind::Sent, ping);
+    add(Kind::Sent, status);
+    answer(state);
+    QVERIFY(RecordedAnswers(recording).find(ping, at).contains(ping));
+    QVERIFY(RecordedAnswers(recording).find(status, at).contains(state));
     std::swap(recording.opening, recording.pieces);
     std::erase_if(recording.opening, [](const RecordedPiece &piece) { return piece.kind == Kind::Received; });
     QVERIFY(RecordedAnswers(recording).find(ping, 0).contains(ping));
