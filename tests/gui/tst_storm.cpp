@@ -91,7 +91,7 @@ void TestStorm::onlyFittingPagesAreOffered()
     QTRY_VERIFY(pages.isOffered(u"calibration"_s) && !pages.isOffered(u"scripts"_s));
     QCOMPARE(pages.pageOfNumber(9), u"tuning"_s);
     QCOMPARE(pages.pageOfNumber(99), QString());
-    QCOMPARE(pages.currentPage(), u"dashboard"_s);  // the page that was shown is gone
+    QCOMPARE(pages.currentPage(), u"scriptslots"_s);  // the one of the same title, which this family has
 #endif
 }
 
