@@ -119,6 +119,10 @@ RecordedAnswers::RecordedAnswers(const Recording &recording)
         if (piece.kind == RecordedPiece::Kind::Sent)
             m_requests[piece.bytes].push_back(i);
     }
+    for (const RecordedPiece &piece : recording.opening) {
+        if (piece.kind == RecordedPiece::Kind::Sent)
+            m_asked.insert(piece.bytes);
+    }
 }
 
 QList<QByteArray> RecordedAnswers::find(const QByteArray &request, qint64 at) const
@@ -128,51 +132,48 @@ QList<QByteArray> RecordedAnswers::find(const QByteArray &request, qint64 at) co
         const auto isBefore = [&](std::size_t piece) { return m_recording.pieces[piece].at <= at; };
         const auto later = std::partition_point(found->begin(), found->end(), isBefore);
         for (auto each = later; each != found->begin();) {
-            if (const QList<QByteArray> answer = answerBehind(*--each); !answer.isEmpty())
+            if (const QList<QByteArray> answer = answerBehind(m_recording.pieces, *--each); !answer.isEmpty())
                 return answer;
         }
         for (auto each = later; each != found->end(); ++each) {
-            if (const QList<QByteArray> answer = answerBehind(*each); !answer.isEmpty())
+            if (const QList<QByteArray> answer = answerBehind(m_recording.pieces, *each); !answer.isEmpty())
                 return answer;
         }
     }
-    const bool isPacketBased = m_recording.isPacketBased();
-    QList<QByteArray> answer;
-    bool isAsked = false;
-    for (const RecordedPiece &piece : m_recording.opening) {
-        const bool isSent = piece.kind == RecordedPiece::Kind::Sent;
-        if (isSent && !isPacketBased && !answer.isEmpty())
-            break;
-        if (isSent)
-            isAsked = piece.bytes == request || (isPacketBased && isAsked);
-        else if (isAsked)
-            answer.append(piece.bytes);
+    const auto &opening = m_recording.opening;
+    for (std::size_t i = 0; i < opening.size(); ++i) {
+        if (opening[i].kind != RecordedPiece::Kind::Sent || opening[i].bytes != request)
+            continue;
+        if (const QList<QByteArray> answer = answerBehind(opening, i); !answer.isEmpty())
+            return answer;
     }
-    return answer;
+    return {};
 }
 
-// In a network requests overlap, and are lost: all that was answered within reach is given, and who asks
-// finds what is meant for him, because packets say which question they answer. Elsewhere what follows another
-// request is the answer to that one.
-QList<QByteArray> RecordedAnswers::answerBehind(std::size_t request) const
+// In a network heartbeats are sent between a request and its answer, and their answers, which repeat them,
+// come between as well; elsewhere what follows another request is the answer to that one.
+QList<QByteArray> RecordedAnswers::answerBehind(const std::vector<RecordedPiece> &pieces,
+                                                std::size_t request) const
 {
     const bool isPacketBased = m_recording.isPacketBased();
     QList<QByteArray> answer;
     const RecordedPiece *packet = nullptr;
-    for (std::size_t i = request + 1; i < m_recording.pieces.size(); ++i) {
-        const RecordedPiece &piece = m_recording.pieces[i];
-        const bool isNext = piece.kind == RecordedPiece::Kind::Sent && !isPacketBased;
-        const bool isLate = isPacketBased && piece.at - m_recording.pieces[request].at > kLatestAnswer;
+    for (std::size_t i = request + 1; i < pieces.size(); ++i) {
+        const RecordedPiece &piece = pieces[i];
+        const bool isNext = piece.kind == RecordedPiece::Kind::Sent && !(isPacketBased && answer.isEmpty());
+        const bool isLate = isPacketBased && piece.at - pieces[request].at > kLatestAnswer;
         // Behind a gap stand the answers to other requests.
-        if (isNext || isLate || m_recording.hasGapBefore(i))
+        if (isNext || isLate || (&pieces == &m_recording.pieces && m_recording.hasGapBefore(i)))
             break;
         if (piece.kind == RecordedPiece::Kind::Received)
             packet = &piece;
-        if (piece.kind != RecordedPiece::Kind::Reply)
+        const bool isOthers = isPacketBased && piece.bytes != pieces[request].bytes
+            && (m_requests.contains(piece.bytes) || m_asked.contains(piece.bytes));
+        if (piece.kind != RecordedPiece::Kind::Reply || isOthers)
             continue;
         const bool isWhole = isPacketBased && packet && packet->bytes.contains(piece.bytes);
         const QByteArray &bytes = isWhole ? packet->bytes : piece.bytes;
-        if (!isWhole || !answer.contains(bytes))  // a packet may hold two of them
+        if (!isWhole || answer.isEmpty() || answer.last() != bytes)  // a packet may hold two of them
             answer.append(bytes);
     }
     return answer;

@@ -6,6 +6,7 @@
 #include "protocol/record/recording.h"
 
 #include <QHash>
+#include <QSet>
 
 /// What a recorded board answered, by the bytes that it was asked with. Keeps a reference to the recording.
 /// Where it answered in packets, they are whole: what came along with the answer is part of it.
@@ -19,10 +20,12 @@ public:
     [[nodiscard]] QList<QByteArray> find(const QByteArray &request, qint64 at) const;
 
 private:
-    [[nodiscard]] QList<QByteArray> answerBehind(std::size_t request) const;
+    [[nodiscard]] QList<QByteArray> answerBehind(const std::vector<RecordedPiece> &pieces,
+                                                 std::size_t request) const;
 
     const Recording &m_recording;
     QHash<QByteArray, std::vector<std::size_t>> m_requests;  // what was sent -> pieces, in order of time
+    QSet<QByteArray> m_asked;  // by the opening
 };
 
 /// Identifies a recorded board: the device asks, the recording answers. What a board sends is scaled by its

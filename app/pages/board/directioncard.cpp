@@ -388,7 +388,7 @@ QString DirectionCard::waitsFor(const DirectionCheck::Step &step) const
                   "disarm and arm again.");
     if (m_check->isStimulated())
         return tr("No motor turns faster than the others yet.");
-    const QString degrees = numberLocale().toString(DirectionCheck::kTilt, 'f', 0);
+    const QString degrees = numberText(DirectionCheck::kTilt, 0);
     return step.kind == Kind::TiltAnswer
         ? tr("The motors are compared once it is turned that way by %1°, and less any other way.")
               .arg(degrees)
