@@ -1305,7 +1305,7 @@
     </message>
     <message>
         <source>It is another one…</source>
-        <translation>Es ist ein anderes …</translation>
+        <translation>Es ist ein anderes…</translation>
     </message>
     <message>
         <source>Do not restore</source>
@@ -2062,7 +2062,7 @@
     </message>
     <message>
         <source>Copy…</source>
-        <translation>Kopieren …</translation>
+        <translation>Kopieren…</translation>
     </message>
     <message>
         <source>Into a file; nothing on the board is changed</source>
@@ -2070,7 +2070,7 @@
     </message>
     <message>
         <source>Compare…</source>
-        <translation>Vergleichen …</translation>
+        <translation>Vergleichen…</translation>
     </message>
     <message>
         <source>Tell what differs between a copy and the board</source>
@@ -2078,7 +2078,7 @@
     </message>
     <message>
         <source>Restore…</source>
-        <translation>Wiederherstellen …</translation>
+        <translation>Wiederherstellen…</translation>
     </message>
     <message>
         <source>Write the calibrations of a copy</source>
@@ -23292,7 +23292,7 @@ Auf dem Board: %1</translation>
     </message>
     <message>
         <source>Copy the board…</source>
-        <translation>Board kopieren …</translation>
+        <translation>Board kopieren…</translation>
     </message>
     <message>
         <source>Into a file; nothing on the board is changed</source>
@@ -23300,7 +23300,7 @@ Auf dem Board: %1</translation>
     </message>
     <message>
         <source>Compare…</source>
-        <translation>Vergleichen …</translation>
+        <translation>Vergleichen…</translation>
     </message>
     <message>
         <source>Tell what differs between a copy and the board</source>
@@ -23308,7 +23308,7 @@ Auf dem Board: %1</translation>
     </message>
     <message>
         <source>Restore settings…</source>
-        <translation>Einstellungen wiederherstellen …</translation>
+        <translation>Einstellungen wiederherstellen…</translation>
     </message>
     <message>
         <source>Write the settings of a copy; calibrations, licence and what no document describes stay</source>
@@ -23316,7 +23316,7 @@ Auf dem Board: %1</translation>
     </message>
     <message>
         <source>Restore everything…</source>
-        <translation>Alles wiederherstellen …</translation>
+        <translation>Alles wiederherstellen…</translation>
     </message>
     <message>
         <source>Write memory and files as they are in a copy</source>
@@ -23324,7 +23324,7 @@ Auf dem Board: %1</translation>
     </message>
     <message>
         <source>Erase all files…</source>
-        <translation>Alle Dateien löschen …</translation>
+        <translation>Alle Dateien löschen…</translation>
     </message>
     <message>
         <source>Copy the board into a new file, then clear its file system</source>
